@@ -1,4 +1,4 @@
-# What the compiler does not check about lib/. Run with -P, with LIB and HEADERS (the lists in lib/CMakeLists.txt).
+# Checks rules for lib/ that the compiler does not. Run with -P, with LIB and HEADERS (the lists in lib/CMakeLists.txt).
 cmake_minimum_required(VERSION 3.25)
 file(GLOB_RECURSE headers RELATIVE ${LIB} ${LIB}/*.h)
 set(errors "")

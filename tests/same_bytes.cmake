@@ -1,6 +1,6 @@
 # Two compilers, one trace: VIDNO and TWIN trace each of SCENES in every way, and the files are compared byte for byte.
-# Run with -P. TWIN is a command, a list if it has arguments. WAYS are those of `trace`, if not all. With TURNS=N, a scene
-# is traced in every Nth way, and the next scene in other ways. A trace ends after MOST_EVENTS, if given: as printed, the Z-buffer
+# Run with -P. TWIN is a command, a list if it has arguments. WAYS are the options of `trace`, by default all. With TURNS=N, a scene
+# is traced in every Nth way, and the next scene in other ways. A trace ends after MOST_EVENTS, if given, since the printed Z-buffer
 # takes millions of steps through a scene whose vertices are far away.
 cmake_minimum_required(VERSION 3.25)
 if(NOT SCENES)
@@ -42,7 +42,7 @@ foreach(scene IN LISTS SCENES)
         separate_arguments(run UNIX_COMMAND "trace '${scene}' ${way} ${limit} --detail signs")
         execute_process(COMMAND ${VIDNO} ${run} -o ${WORK}/ours.jsonl RESULT_VARIABLE status ERROR_VARIABLE why)
         execute_process(COMMAND ${TWIN} ${run} -o ${WORK}/theirs.jsonl RESULT_VARIABLE other_status ERROR_VARIABLE other_why)
-        # A trace that is cut short ends with 1, and a grid may be too fine for a scene: then both must say so.
+        # A trace that is cut short ends with 1, and a grid may be too fine for a scene; both programs must then say so.
         set(expected 0)
         if(MOST_EVENTS)
             list(APPEND expected 1)

@@ -1,4 +1,4 @@
-# The folders of trace/, each of which includes only itself and those before it. Run with -P; TRACE is the folder.
+# Checks that each folder of trace/ includes only itself and the folders before it. Run with -P; TRACE is the folder.
 cmake_minimum_required(VERSION 3.25)
 set(folders json choice picture scene format event_table run check state margin regions import chart stability sign_map homework page
             figure grade lesson wasm cli)

@@ -79,8 +79,8 @@ std::string gzipped(std::string_view bytes) {
 
 namespace {
 
-/// Packs into a file as one member of gzip, without a name or a time. ISA-L packs a trace ten times as fast as zlib does at level 6;
-/// the file is two fifths larger.
+/// Compresses into a file as one gzip member, without a name or a time. ISA-L compresses a trace ten times as fast as zlib at level 6; the
+/// file is two fifths larger.
 class Packer {
 public:
     explicit Packer(std::FILE* file) : file_(file) {
@@ -91,7 +91,7 @@ public:
         stream_.level_buf_size = std::uint32_t(room_.size());
     }
 
-    /// Whether the file took it.
+    /// Whether the write succeeded.
     bool write(std::string_view bytes) {
         while (!bytes.empty()) {
             const auto part = bytes.substr(0, std::size_t{1} << 30);
@@ -127,7 +127,7 @@ private:
 
 namespace {
 
-/// The name of a file in progress, from its first byte to its last, for `remove_unfinished_files`.
+/// The name of an unfinished file, for `remove_unfinished_files`.
 class Unfinished {
 public:
     explicit Unfinished(const std::string& name) {
@@ -221,7 +221,7 @@ void write_file(const std::string& name, std::string_view bytes, Packing packing
     file.commit();
 }
 
-/// A file, or none for a text that the buffer holds from the start.
+/// A file, or none for text that the buffer holds from the start.
 struct LineReader::Source {
     gzFile file = nullptr;
     ~Source() {

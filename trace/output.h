@@ -1,4 +1,4 @@
-/// Files in and out. An output file appears whole or not at all.
+/// Input and output files. An output file appears complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace vidno {
 
-/// The whole of a file, "-" for standard input. Throws Refused.
+/// The contents of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
 
-/// The bytes compressed as gzip, as small as it makes them, the same on every machine.
+/// The bytes compressed by gzip at its best level, the same on every machine.
 std::string gzipped(std::string_view bytes);
 
-/// Whether a file whose name ends in ".gz" is compressed, quickly, or is given compressed bytes.
+/// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.
 enum class Packing : unsigned char { quick, done };
 
-/// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. Throws Refused where the system
-/// refuses, and where more than eight files are written at once.
+/// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. Throws Refused if the system
+/// refuses, or if more than eight files are written at once.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
@@ -39,10 +39,10 @@ private:
     std::unique_ptr<Stream> stream_;
 };
 
-/// Removes what was written of each file that is not committed. A signal handler may call it.
+/// Removes the temporary files that are not committed. A signal handler may call it.
 void remove_unfinished_files() noexcept;
 
-/// The whole of an output file.
+/// Writes a complete output file.
 void write_file(const std::string& name, std::string_view bytes, Packing packing = Packing::quick);
 
 /// The lines of a file one by one, gzipped or not, "-" for standard input.
@@ -55,7 +55,7 @@ public:
     ~LineReader();
     LineReader(LineReader&&) noexcept;
 
-    /// False at the end. A last line without its newline, or compressed data that stop, make `cut` true.
+    /// False at the end. A last line without a newline, or truncated compressed data, sets `cut`.
     bool next(std::string& line);
     bool cut() const { return cut_; }
 

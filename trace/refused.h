@@ -1,4 +1,4 @@
-/// Refused: input that is not taken. The message is one line: file, place in it, reason.
+/// Refused: input is rejected. The message is one line: file, place in it, reason.
 #pragma once
 
 #include <stdexcept>

@@ -14,9 +14,9 @@ const words = {
     file: 'README.md',
     title: '# How these methods fail',
     introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not (perhaps of
-the same surface with other samples), and what is to be seen.
-\`tests/check/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
-step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
+the same surface with other samples), and what can be seen.
+\`tests/check/failures_test.cpp\` checks each entry. The step is that of a trace of level \`signs\`: the first wrong decision, or the
+step that is visibly wrong. \`table.mjs\` writes these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
@@ -73,7 +73,7 @@ function trace(name, scene, { method, kernel, edition }, ...more) {
 const place = (events, label) => events.findIndex(({ e, at }) => at === label && e !== 'call');
 const count = (events, name) => events.filter(({ e }) => e === name).length;
 
-/** Which step painted a pixel last, and which polygon. */
+/** The step that painted a pixel last, and the polygon. */
 function painting({ polygons }, events, [x, y]) {
   const inRuns = (row, runs) => row === y && runs.some(([first, end]) => first <= x && x < end);
   const inRectangle = ([left, top, width, height]) => left <= x && x < left + width && top <= y && y < top + height;
@@ -93,7 +93,7 @@ function painting({ polygons }, events, [x, y]) {
   return last;
 }
 
-/** Of the intersections that both runs compute, one after the other, the one that differs most. */
+/** The intersection that differs most between the two runs, compared in their order. */
 function farthestCut(failing, holding) {
   const cuts = (events) => events.flatMap(({ e, vertex }, i) => (e === 'clip_cross' ? [{ step: i + 1, x: vertex[0] }] : []));
   const right = cuts(holding);
@@ -104,14 +104,14 @@ function farthestCut(failing, holding) {
 
 const overColumn = ({ fromColumns, toColumns }, x) => fromColumns[1] <= x && x <= toColumns[0];
 
-/** A number as a trace has it, perhaps a fraction. */
+/** A number of a trace, perhaps a fraction. */
 const numberOf = (value) => {
   const [above, below = 1] = String(value).split('/').map(Number);
   return above / below;
 };
 const overPlace = ({ from, to }, x) => numberOf(from[0]) <= x && x <= numberOf(to[0]);
 
-/** Which step draws a curve over a column or a place or, if none does, is the last at which its segment there is looked at. */
+/** The step that draws a curve over a column or a place or, if none does, the last that examines its segment there. */
 function drawing(events, [curve, x], there, over) {
   const begin = events.findIndex((event) => event.e === 'curve' && event.curve === curve);
   const end = events.findIndex((event, i) => i > begin && event.e === 'curve');

@@ -1,4 +1,4 @@
-// What the two example programs have in common: their scene, and the level of detail from the command line.
+// Shared by the two example programs: their scene, and the level of detail from the command line.
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 

@@ -1,11 +1,11 @@
-// One procedure of one's own in a run of vidno's: does a polygon hold a point? By counting edges, as some books have it.
+// Your own procedure in one of vidno's runs: does a polygon hold a point? It counts edges, as in some books.
 #include "example.h"
 #include "vidno_procedures.h"
 
 using namespace vidno::student;
 
 struct Mine {
-    /// A ray to the right crosses the outline an odd number of times. An edge has its upper end and not its lower one.
+    /// True if a ray to the right crosses the outline an odd number of times. An edge includes its upper end but not its lower one.
     static bool surround_test(Point point, const std::vector<Vertex>& polygon) {
         bool inside = false;
         for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,12 +1,12 @@
-/// Runs vidno's methods with some of their procedures replaced by your own, written in plain doubles: README.md beside this file
-/// says how. C++20, vidno's headers and GLM.
+/// Runs vidno's methods with some of their procedures replaced by your own, written in plain doubles. README.md beside this file
+/// explains how. Needs C++20, vidno's headers and GLM.
 ///
 ///     struct Mine {
 ///         static bool surround_test(Point point, const std::vector<Vertex>& polygon);
 ///     };
 ///     int main() { run_with<Mine>(vidno::Method::warnock, scene_to_draw(example_scene()), "mine.jsonl"); }
 ///
-/// `Mine` has any of these, with these types; what it does not have is vidno's:
+/// `Mine` has any of these, with these types. vidno's own procedures are used for the others:
 ///
 ///     Plane initialize_polygon(const std::vector<Vertex>& vertices)
 ///     double depth(const Plane& plane, Point point)
@@ -54,7 +54,7 @@ concept HasPolygonClip = requires(const std::vector<Vertex>& polygon, const Rect
     { Mine::polygon_clip(polygon, window) } -> std::same_as<std::vector<Vertex>>;
 };
 
-/// The procedures of the lecture with those of `Mine` in their place.
+/// The procedures of the lecture, some replaced by those of `Mine`.
 template <class Mine>
 struct SetOf : Corrected {
     static_assert(HasInitializePolygon<Mine> || HasDepth<Mine> || HasSurroundTest<Mine> || HasPolygonClip<Mine>,
@@ -129,7 +129,7 @@ private:
     EventText events_;
 };
 
-/// Without area as the viewer sees it, to the precision of doubles.
+/// Whether it has no area as seen by the viewer, to the precision of doubles.
 inline bool is_edge_on(const Polygon& polygon) {
     double area = 0;
     const Vertex& o = polygon.vertices.front();

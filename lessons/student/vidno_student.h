@@ -1,8 +1,8 @@
-/// Writes what your own program does, step by step, as a trace that the page of vidno replays: README.md beside this
-/// file says how to begin. C++14, the standard library and nothing else; the program that includes it needs no vidno.
+/// Writes what your own program does, step by step, as a trace that the page of vidno replays. README.md beside this file explains how
+/// to begin. Needs only C++14 and the standard library; a program that includes it does not need vidno.
 ///
-/// One call a step. A call says where the step stands in the listing and what it came to; trace/FORMAT.md has the events.
-/// A call that cannot be right is said on the standard error, and the program goes on.
+/// Make one call for each step. A call names the step's place in the listing and its result; trace/FORMAT.md describes the events.
+/// A call that cannot be right is reported on standard error, and the program continues.
 #ifndef VIDNO_STUDENT_H
 #define VIDNO_STUDENT_H
 
@@ -25,7 +25,7 @@ struct Color {
 };
 
 struct Vertex {
-    double x, y, z;  // y grows downward, the greater z is the nearer, -1 <= z <= 1
+    double x, y, z;  // y grows downward, the greater z is nearer, -1 <= z <= 1
 };
 
 /// Whole pixels; (x, y) is the upper left one. `window` of a scene file.
@@ -35,12 +35,12 @@ struct Area {
 
 /// Convex and planar.
 struct Polygon {
-    std::string id;  // no two the same; UTF-8
+    std::string id;  // unique; UTF-8
     Color color;
     std::vector<Vertex> vertices;
 };
 
-/// What a scene file says. Calls name a polygon by its place here, from 0.
+/// The contents of a scene file. Calls name a polygon by its index here, from 0.
 struct Scene {
     std::string name;
     Area area;
@@ -48,14 +48,14 @@ struct Scene {
     std::vector<Polygon> polygons;
 };
 
-/// What `vidno grade` has set for the program that it runs: nothing if a person runs it.
+/// An environment variable that `vidno grade` sets for the program that it runs; null if a person runs it.
 inline std::string told_by_grade(const char* variable) {
     const char* const value = std::getenv(variable);
     return value ? value : "";
 }
 
-/// The scene that `vidno grade` wants drawn; without it, your own. Its text: name; x, y, width and height of the area; the
-/// background; how many polygons; of each the id, the colour, how many vertices and these. Names have a line of their own.
+/// The scene that `vidno grade` wants drawn, or else your own. Its text: name; x, y, width and height of the area; the background; the
+/// number of polygons; for each the id, the colour, the number of vertices, and the vertices. Names have their own lines.
 inline Scene scene_to_draw(const Scene& own) {
     const std::string file = told_by_grade("VIDNO_SCENE");
     if (file.empty()) return own;
@@ -88,16 +88,16 @@ inline Scene scene_to_draw(const Scene& own) {
     return scene;
 }
 
-/// How much of what the program tells goes into the file; all, if `vidno grade` reads it.
+/// How much of what the program reports goes into the file; everything, if `vidno grade` reads it.
 enum class Detail { windows, polygons, signs };
 
 /// The type of the program's numbers: double or float.
 enum class Precision { double_precision, single_precision };
 
-/// What Warnock's algorithm does with a window.
+/// The cases of a window in Warnock's algorithm.
 enum class Case { empty, surrounded, pixel, single, split };
 
-/// Of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper left on the screen.
+/// The corners of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper left on the screen.
 enum class Corner { left_bottom, left_top, right_bottom, right_top };
 
 /// FIPS 180-4, in hexadecimal.
@@ -153,14 +153,14 @@ inline std::string sha256(std::vector<unsigned char> message) {
     return digits;
 }
 
-/// What the traces of both methods share: the file, the picture, the procedure that runs.
+/// The common part of the traces of both methods: the file, the picture, the procedure that runs.
 class Trace {
 public:
     Trace(const Trace&) = delete;
     Trace& operator=(const Trace&) = delete;
     ~Trace() { close(); }
 
-    /// The run is over: the last line. A file without it, of a program that crashed, is read as far as it goes.
+    /// Ends the run with the last line. A file without it, from a program that crashed, is read as far as it goes.
     void close() {
         if (closed_) return;
         begin("close");
@@ -215,7 +215,7 @@ protected:
     const std::string& id(int place) const { return polygon_at(place).id; }
     int polygon_count() const { return int(scene_.polygons.size()); }
 
-    /// A call of the program: complaints name it.
+    /// Notes a call of the program, for complaints.
     void begin(const char* call) {
         ++calls_;
         call_ = call;
@@ -236,8 +236,8 @@ protected:
         if (complaints_ == most) std::cerr << "vidno: more complaints are not shown\n";
     }
 
-    /// A procedure must run: if it does not, it is called now, at that line. False, with a complaint, while one that it
-    /// called has not told its result.
+    /// Makes sure that a procedure runs: if it does not, it is called now, at that line. False, with a complaint, while a procedure that it
+    /// called has not reported its result.
     bool run(Procedure procedure, const char* callers_line = "") {
         static const char* const names[] = {
             "", "ProcessWindow", "PointColor", "SurroundTest", "PolygonClip", "FillPolygon", "ShowLine"};
@@ -255,14 +255,14 @@ protected:
         return runs(procedure);
     }
     bool runs(Procedure procedure) const { return running_.back() == procedure; }
-    /// The same as `run`, and the procedure ends: its result is what is told next.
+    /// Like `run`, but the procedure also ends: its result is reported next.
     bool end(Procedure procedure, const char* callers_line) {
         const bool can_end = run(procedure, callers_line);
         if (can_end) running_.pop_back();
         return can_end;
     }
 
-    /// An event of that level, its fields as name, value, name, value.
+    /// An event of this level, with its fields as name, value, name, value.
     template <class... Fields>
     void tell(Detail from, const char* event, const char* at, const Fields&... fields) {
         if (closed_ || from > detail_) return;
@@ -283,7 +283,7 @@ protected:
         const bool has_pixels = area().width > 0 && area().height > 0;
         picture_.assign(has_pixels ? std::size_t(area().width) * std::size_t(area().height) : 0, background());
     }
-    /// Leaves of the pixels those in the area, with a complaint if that is not all; false if there are none.
+    /// Keeps only the pixels in the area, with a complaint about others; false if none are left.
     bool cut(Pixels& pixels) {
         if (pixels.left >= pixels.right || pixels.top >= pixels.bottom) return false;
         const Pixels all = pixels;
@@ -318,7 +318,7 @@ protected:
         }
         return text + '"';
     }
-    /// With the fewest digits, from 15 up, that read back the same.
+    /// A number with the fewest digits, from 15 up, that reads back the same.
     static std::string json(double value) {
         if (std::isnan(value)) return "\"nan\"";
         if (std::isinf(value)) return value > 0 ? "\"inf\"" : "\"-inf\"";
@@ -344,7 +344,7 @@ protected:
     }
 
 private:
-    /// Flushed, so that what was told before a crash is in the file.
+    /// Flushes the line, so that everything reported before a crash is in the file.
     void put(const std::string& line) { file_ << line << '\n' << std::flush; }
 
     std::vector<unsigned char> picture_bytes() const {
@@ -548,7 +548,7 @@ public:
         has_first_ = false;
         tell(Detail::polygons, "clip_side", "PL2", "side", side, "from", list(from_x, from_y), "to", list(to_x, to_y));
     }
-    /// Of the last vertex, then of each from the first on; positive lies outside.
+    /// The sign for the last vertex, then for each from the first on; positive lies outside.
     void clip_sign(const Vertex& vertex, double value, int sign) {
         clip(Detail::signs, "clip_sign", has_first_ ? "PL4" : "PL3", "vertex", vertex, "value", value, "sign",
              sign_of(sign));
@@ -557,7 +557,7 @@ public:
     void clip_cross(const Vertex& vertex) { kept_ += clip(Detail::polygons, "clip_cross", "PL5", "vertex", vertex); }
     void clip_keep(const Vertex& vertex) { kept_ += clip(Detail::polygons, "clip_keep", "PL6", "vertex", vertex); }
     void clip_drop(const Vertex& vertex) { clip(Detail::polygons, "clip_drop", "PL6", "vertex", vertex); }
-    /// The vertices that joined at this side are the list for the next.
+    /// The vertices that joined at this side become the list for the next.
     void clip_list() {
         clip(Detail::polygons, "clip_list", "PL7", "count", kept_);
         kept_ = 0;
@@ -614,7 +614,7 @@ private:
         if (!is) complain("not a window: a side is not positive, or a number not finite");
         return is;
     }
-    /// A part has the polygons of the current window, the first window all.
+    /// A part has the polygons of the current window, the first window has all.
     void push_window(const Window& window) {
         if (popped_) {
             stack_.push_back({window, current_.polygons});
@@ -639,7 +639,7 @@ private:
         return is;
     }
 
-    /// Until the decision ProcessWindow looks at polygons, after it PointColor.
+    /// Before the decision ProcessWindow examines polygons, after it PointColor.
     bool run_inner() { return decided_ ? run(point_color, "W9") : run(process_window, "W6"); }
     bool looks_at(const char* call, int polygon) {
         const bool exists = begin(call, polygon);
@@ -673,7 +673,7 @@ private:
     std::vector<ActiveWindow> stack_;  // AW
     ActiveWindow current_{};
     const char* fill_line_ = "W7";     // that of the last decision
-    std::vector<std::string> nearer_;  // the corners where the polygon in hand is nearer
+    std::vector<std::string> nearer_;  // the corners where the current polygon is nearer
     std::vector<Pixels> rows_;         // of FillPolygon
     int depths_ = 0, kept_ = 0;        // since `count`; since `clip_side`
     bool popped_ = false, decided_ = false, clipped_ = false, clipping_ = false;
@@ -691,7 +691,7 @@ public:
         clear_picture();
         step(Detail::windows, "clear", "Z1", "color", background(), "z", z);
     }
-    /// What follows is about this one.
+    /// The calls after this one are about this polygon.
     void polygon(int next) {
         if (!begin("polygon", next)) return;
         leave_line();
@@ -720,7 +720,7 @@ public:
         active_.push_back(edge);
         tell(Detail::polygons, "ael_add", "Z8", "edge", edge, "x", x, "z", z, "until", until, "dx", dx, "dz", dz);
     }
-    /// The next line is that of a level edge.
+    /// The next `line` is that of a level edge.
     void horizontal(int edge) {
         if (!is_edge("horizontal", edge)) return;
         is_level_ = true;
@@ -762,7 +762,7 @@ public:
     void columns(int first, int end, double z) {
         show(Detail::signs, "columns", "L4", "first", first, "end", end, "z", z);
     }
-    /// Its depth z against the stored one; shown if z takes its place.
+    /// Compares its depth z with the stored one; shown if z replaces it.
     void pixel(int x, int y, double z, double stored, bool shown) {
         Pixels pixels{x, y, x + 1, y + 1};
         if (!shows("pixel") || !cut(pixels)) return;
@@ -798,7 +798,7 @@ private:
         if (polygon_ < 0) complain("`polygon` comes before");
         return polygon_ >= 0 && run(show_line, shown_at());
     }
-    /// Back to ZBuffer: a line that was left without `span` gets one.
+    /// Returns to ZBuffer; a line without `span` gets one.
     void leave_line() {
         if (!run(method)) show_span();
     }
@@ -830,7 +830,7 @@ private:
     static bool holds(const std::vector<int>& edges, int edge) {
         return std::find(edges.begin(), edges.end(), edge) != edges.end();
     }
-    /// Those of the edges that are on the list, and now no more; a complaint about the others.
+    /// Removes edges from the list and returns them, with a complaint about edges that are not on it.
     std::vector<int> take(std::vector<int>& list, const std::vector<int>& edges, const char* name) {
         std::vector<int> taken;
         for (const int edge : edges) {

@@ -1,5 +1,5 @@
-// A frame for Warnock's algorithm: the stack of windows, and where each call of `trace` belongs. The procedures are yours to write. As it
-// stands, the program takes every window for empty, and `vidno grade` says so.
+// A frame for Warnock's algorithm: the stack of windows, and the place of each call of `trace`. The procedures are yours to write. Without
+// them the program treats every window as empty, and `vidno grade` says so.
 //
 //     warnock [windows | polygons | signs]     writes warnock.jsonl
 #include "example.h"
@@ -19,7 +19,7 @@ struct Window {
     std::vector<Active> polygons;  // APL
 };
 
-/// What ProcessWindow finds.
+/// The result of ProcessWindow.
 struct Summary {
     int count = 0;
     bool has_surround = false, insider = false;
@@ -29,7 +29,7 @@ struct Summary {
 class Warnock {
 public:
     Warnock(const Scene& scene, WarnockTrace& trace) : scene_(scene), trace_(trace) {
-        // InitializePolygon: the plane of each polygon, from all of its vertices. One that is seen edge-on takes no part.
+        // InitializePolygon: the plane of each polygon, from all of its vertices. A polygon seen edge-on does not take part.
         // trace.plane(i, a, b, c, d)
         Window whole{double(scene.area.x), double(scene.area.y), 1, {}};
         while (whole.size < scene.area.width || whole.size < scene.area.height) whole.size *= 2;
@@ -54,7 +54,7 @@ private:
         trace_.push(window.x, window.y, window.size, window.size);
     }
 
-    /// W6 to W13. What is here is W7; the other cases are yours: Case::surrounded, Case::pixel, Case::single and Case::split, which pushes
+    /// W6 to W13. Here is only W7; the other cases are yours: Case::surrounded, Case::pixel, Case::single and Case::split, which pushes
     /// the four parts.
     void show(Window& window) {
         const Summary found = process_window(window);
@@ -64,7 +64,7 @@ private:
         }
     }
 
-    /// PW1 to PW10. The calls, in their order, for each polygon of the list:
+    /// PW1 to PW10. The calls, in order, for each polygon of the list:
     ///     box, and discard if it lies outside of the window; count;
     ///     depth at each corner; compare at each corner, and nearer; uncover;
     ///     surround at the corners, and mark; cover, or insider

@@ -1,4 +1,4 @@
-// A frame for the Z-buffer with an active edge list: where each call of `trace` belongs. The procedures are yours to write. As it stands, the
+// A frame for the Z-buffer with an active edge list: the place of each call of `trace`. The procedures are yours to write. Without them the
 // program shows no polygon, and `vidno grade` says so.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl
@@ -20,7 +20,7 @@ public:
     }
 
 private:
-    /// Z3 to Z17. The calls, in their order:
+    /// Z3 to Z17. The calls, in order:
     ///     edge for each edge of S, from the upper end down; extent;
     ///     on each row scanline; ael_add for each edge that begins, leave, ael_sort;
     ///     ShowLine for each pair of AEL; ael_drop for the edges that end; ael_step for those that stay

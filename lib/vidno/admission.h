@@ -1,16 +1,17 @@
-/// Admission: does a polygon keep to what every procedure takes for granted? Decided exactly for the given doubles.
+/// Admission: does a polygon satisfy what every procedure assumes? Decided exactly for the given doubles.
 ///
-/// An admitted polygon is finite, has at least three vertices, is planar, and seen from the viewer it is convex and
-/// goes round once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
-/// admitted whatever the order of their vertices, for they show nothing and lie in a plane in any case.
+/// An admitted polygon is finite, has at least three vertices, and is planar. Seen from the viewer it is convex and
+/// winds around once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
+/// admitted whatever the order of their vertices, since they show nothing and always lie in a plane.
 ///
 /// Planar      no vertex is farther than 2^-40 of the extent from the plane of Newell's sum about the first vertex
 ///             (warnock/initialize_polygon.h). Triangles always are.
-/// Convex      all turns have one sign, and the direction of the edges, taken as "to the right or straight down"
-///             against the rest, flips exactly twice. Why that is enough: turns of one sign that go round once make a convex
-///             outline, each round flips twice, and an edge that runs back on itself forces a turn of the other sign.
-/// Rounding    a vertex reflex by at most 2^-40 of the extent is dropped: its distance from the chord that takes its
-///             place says by how much. Linear time.
+/// Convex      all turns have one sign, and the direction of the edges, either "to the right or straight down" or the
+///             opposite, flips exactly twice. This suffices: an outline that winds around once with turns of one sign is
+///             convex, each winding flips the direction twice, and an edge that runs back on itself forces a turn of the
+///             other sign.
+/// Rounding    a vertex that is reflex by at most 2^-40 of the extent is dropped. The measure is its distance from the chord
+///             that replaces it. Linear time.
 /// Extent      the longest side of the box around the polygon.
 /// Arithmetic  CGAL's filtered orientation for the turns; for the distances intervals first, rationals where these
 ///             cannot decide. No coordinate overflows or underflows into a decision.
@@ -47,7 +48,7 @@ inline int turn(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
 
 inline bool same_place(const glm::dvec3& p, const glm::dvec3& q) { return p.x == q.x && p.y == q.y; }
 
-/// 1 to the right or straight down, -1 to the left or straight up, 0 if the viewer sees no way between them.
+/// 1 to the right or straight down, -1 to the left or straight up, 0 if the viewer sees both points at one place.
 inline int direction(const glm::dvec3& p, const glm::dvec3& q) {
     if (p.x != q.x) return p.x < q.x ? 1 : -1;
     if (p.y != q.y) return p.y < q.y ? 1 : -1;
@@ -68,7 +69,7 @@ inline bool is_edge_on(const Vertices& vertices) {
            std::all_of(q + 1, vertices.end(), [&](const glm::dvec3& r) { return turn(p, *q, r) == 0; });
 }
 
-/// The indices of the vertices without those that repeat the place of the one before.
+/// The indices of the vertices, without those at the same place as the vertex before.
 inline std::vector<std::size_t> without_repeats(const Vertices& vertices) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -187,8 +188,8 @@ inline bool near_chord(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec
         .make_certain();
 }
 
-/// The outline without its reflex vertices: one walk with a stack, from a vertex that surely stays. Vertices at which
-/// an edge runs back on itself go as well.
+/// The outline without its reflex vertices: one walk with a stack, from a vertex that surely stays. It also drops vertices
+/// at which an edge runs back on itself.
 inline std::vector<std::size_t> without_reflex(const Vertices& vertices, std::vector<std::size_t> outline, int sign) {
     const auto before = [&](std::size_t i, std::size_t j) { return direction(vertices[i], vertices[j]) > 0; };
     std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end(), before), outline.end());
@@ -211,7 +212,7 @@ inline std::vector<std::size_t> without_reflex(const Vertices& vertices, std::ve
     return kept;
 }
 
-/// Is every vertex of the outline that was not kept within the tolerance of the chord that takes its place?
+/// Is every dropped vertex of the outline within the tolerance of the chord that replaces it?
 inline bool dropped_are_near(const Vertices& vertices, const std::vector<std::size_t>& outline,
                              const std::vector<std::size_t>& kept) {
     const Box3<Exact> box = box_of<Exact>(vertices);
@@ -223,7 +224,7 @@ inline bool dropped_are_near(const Vertices& vertices, const std::vector<std::si
     });
 }
 
-/// Convex as it stands, or after dropping what is reflex by rounding. Says how many vertices were dropped.
+/// Checks that the outline is convex, dropping vertices that are reflex by rounding. Reports how many it dropped.
 inline Admitted make_convex(Vertices& vertices) {
     const std::vector<std::size_t> outline = without_repeats(vertices);
     if (is_convex(vertices, outline)) return {};
@@ -252,7 +253,7 @@ inline Admitted admit_shape(ScenePolygon& polygon) {
     return convex;
 }
 
-/// Checks a polygon in screen space: what is admitted may stand in a Scene.
+/// Checks a polygon in screen space. A Scene holds only admitted polygons.
 inline Admitted admit(ScenePolygon& polygon) {
     const auto in_range = [](const glm::dvec3& vertex) { return -1 <= vertex.z && vertex.z <= 1; };
     const auto& vertices = polygon.vertices;

@@ -1,4 +1,4 @@
-/// What admission says of a polygon (admission.h decides it), and what a view shows of one (look.h).
+/// The result of admitting a polygon (admission.h), and of looking at one through a camera (look.h).
 #pragma once
 
 #include <cstddef>

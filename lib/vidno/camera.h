@@ -3,8 +3,8 @@
 /// The world is right-handed. In clip space the view volume is -w <= x, y, z <= w with w > 0; z = w at the near plane
 /// and -w at the far one, so that the greater z is nearer, as everywhere in vidno.
 ///
-/// Clipping is Sutherland and Hodgman's, against the six sides in turn, before the division: there no vertex is behind
-/// the eye any more. A new vertex gets the side's coordinate exactly, and z is kept in [-1, 1] against rounding.
+/// Polygons are clipped by Sutherland and Hodgman's method against the six sides in turn, before the division, so that no
+/// vertex behind the eye is divided. A new vertex gets the side's coordinate exactly; z is clamped to [-1, 1] against rounding.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ inline bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfi
 inline bool finite(const glm::dvec4& v) { return finite(glm::dvec3(v)) && std::isfinite(v.w); }
 inline bool finite(const glm::dmat4& m) { return finite(m[0]) && finite(m[1]) && finite(m[2]) && finite(m[3]); }
 
-/// The direction of v, which may be as long or short as doubles allow; zero for zero.
+/// The unit vector in the direction of v, for any length that doubles allow; zero for zero.
 inline glm::dvec3 direction_of(glm::dvec3 v) {
     const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (longest == 0) return v;
@@ -88,7 +88,7 @@ inline View view_of(const Camera& camera, const Area& area) {
     return {camera::projection_matrix(camera, aspect) * camera::view_matrix(camera), viewport_matrix(area)};
 }
 
-/// What is wrong with a camera, if anything.
+/// Why a camera is invalid, if it is.
 inline std::optional<std::string_view> defect_of(const Camera& camera, const Area& area) {
     using camera::direction_of, camera::finite;
     if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) return "not finite";
@@ -118,7 +118,7 @@ inline std::vector<glm::dvec4> clip_to_view_volume(std::vector<glm::dvec4> polyg
                 const double dp = inside_by(p), dq = inside_by(q);
                 if (dp >= 0) kept.push_back(p);
                 if ((dp >= 0) == (dq >= 0)) continue;
-                // From inside to outside, so that polygons that share the edge get the same vertex.
+                // Always from inside to outside, so that polygons that share the edge get the same vertex.
                 glm::dvec4 meet = dp >= 0 ? p + (dp / (dp - dq)) * (q - p) : q + (dq / (dq - dp)) * (p - q);
                 meet[axis] = side * meet.w;
                 kept.push_back(meet);
@@ -129,8 +129,7 @@ inline std::vector<glm::dvec4> clip_to_view_volume(std::vector<glm::dvec4> polyg
     return polygon;
 }
 
-/// What the view shows of a convex polygon of the world, in screen space; empty if nothing, or nothing that doubles
-/// hold.
+/// The visible part of a convex polygon of the world, in screen space; empty if nothing is visible or doubles cannot hold it.
 inline std::vector<glm::dvec3> seen_by(const View& view, const std::vector<glm::dvec3>& world) {
     std::vector<glm::dvec4> clipped;
     for (const glm::dvec3& vertex : world) clipped.push_back(view.to_clip * glm::dvec4(vertex, 1));

@@ -1,5 +1,5 @@
-/// CorrectedPolygons: what all methods over polygons share: how they take them from the scene, and their depths. It is part of the
-/// sets in corrected.h and corrected_weiler_atherton.h.
+/// CorrectedPolygons: what all methods for polygons share: how they read polygons from the scene, and their depths. It is part
+/// of the sets in corrected.h and corrected_weiler_atherton.h.
 #pragma once
 
 #include "warnock/depth.h"
@@ -8,7 +8,7 @@
 namespace vidno {
 
 struct CorrectedPolygons : InitializePolygon, Depth {
-    /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.
+    /// W2: does a polygon join the first list? Admission has already decided exactly whether it is edge-on.
     static bool takes_part(const auto&, const auto& polygon) { return !polygon.edge_on; }
 
     /// I1: a vertex of the scene on the screen: y grows downward in both.

@@ -1,4 +1,4 @@
-/// CorrectedWeilerAtherton: Weiler and Atherton's algorithm. The only set for regions; corrected.h says what a set is.
+/// CorrectedWeilerAtherton: Weiler and Atherton's algorithm. The only set for regions; corrected.h explains sets.
 #pragma once
 
 #include "corrected_polygons.h"

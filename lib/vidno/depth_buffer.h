@@ -1,4 +1,4 @@
-/// DepthBuffer, Z: the depth of what each pixel shows.
+/// DepthBuffer, Z: the depth that each pixel shows.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-/// Fault: a procedure cannot go on. A printed one: a list read past its end, a division by zero, an endless loop. One that constructs,
-/// in numbers that round: it has lost its way.
+/// Fault: why a procedure cannot continue. A printed procedure may read past a list, divide by zero or loop without end. One that
+/// constructs points in rounded numbers may not terminate.
 #pragma once
 
 #include <string_view>

@@ -16,7 +16,7 @@ struct VisibleCurves {
     Horizons<K> horizons;
 };
 
-/// What floating_horizon/floating_horizon.h says, told to the trace step by step. The numbers are the kernel's.
+/// Runs floating_horizon/floating_horizon.h and reports each step to the trace. The numbers are the kernel's.
 template <class Set = CorrectedFloatingHorizon, Kernel K, class Trace = NoTrace>
 VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}, Set set = {}) {
     FloatingHorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace),

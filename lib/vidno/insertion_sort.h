@@ -1,7 +1,7 @@
 /// InsertionSort: stable, and the same comparisons on every machine.
 ///
-/// Rounded numbers may say a < b < c < a, or not be numbers. The standard library's sorts require an order, and each library
-/// compares in its own sequence. This sort always makes the same comparisons, with the same result.
+/// With rounded numbers a < b < c < a may hold, and NaN may occur. The standard library's sorts require an order, and each
+/// library compares in its own sequence. This sort always makes the same comparisons, with the same result.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// `before(a, b)`: whether a must be before b. As many comparisons as items if they are in order, else as pairs at most.
+/// `before(a, b)`: whether a must be before b. It makes about one comparison an item if they are in order, at most one a pair.
 template <class Item>
 void insertion_sort(std::vector<Item>& items, auto before) {
     for (auto item = items.begin(); item != items.end(); ++item) {

@@ -1,7 +1,7 @@
 /// Kernel: the only place where arithmetic is chosen.
 ///
-/// A procedure sees values that compare and the operations below; what a comparison costs and whether it is
-/// certain is the kernel's affair. kernels/ holds the kernels; machine.h is the simplest to read.
+/// A procedure sees only values that compare, and the operations below. The kernel determines what a comparison costs and
+/// whether it is certain. kernels/ holds the kernels; machine.h is the simplest to read.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ struct Pixel {
     int x, y;
 };
 
-/// x and y may be of another kind than z: coordinates of the scene are given, a depth may have been computed.
+/// x and y may have another type than z: coordinates of the scene are given, a depth may be computed.
 template <class Number, class Depth = Number>
 struct Vertex {
     Number x, y;
@@ -70,7 +70,7 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
                           const Box<typename K::Coordinate>& box, const Window& window) {
     { K::name } -> std::convertible_to<std::string_view>;
 
-    // Before all else.
+    // Called before anything else.
     own.see(scene);
 
     // From the scene and the screen. What is computed from coordinates is a number; both compare.
@@ -85,7 +85,7 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     // Called for every polygon, before any depth.
     { own.plane(computed, vertices) } -> std::same_as<typename K::Plane>;
 
-    // Depth, and "no polygon yet", which every depth is nearer than. Two depths are compared where both were taken.
+    // The depth of a plane, and "no polygon yet", which is farther than every depth. Two depths are compared at one common point.
     { kernel.depth(plane, point) } -> std::same_as<typename K::Depth>;
     { kernel.finite(depth) } -> std::same_as<typename K::Interpolated>;  // of a plane's depth
     { kernel.farthest() } -> std::same_as<typename K::Depth>;
@@ -100,33 +100,33 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
         stepped += interpolated;
     };
 
-    // A polygon's box against a window: apart, and strictly inside.
+    // Whether a polygon's box lies apart from a window, and whether it lies strictly inside.
     { kernel.outside(box, window) } -> std::same_as<bool>;
     { kernel.inside(box, window) } -> std::same_as<bool>;
 
-    // A polygon while it is clipped. Where the segment from p to q, whose ends have the cross products cp and cq of
-    // opposite sign with a side of the window, meets that side: kernel.meet(p, q, cp, cq).
+    // A polygon while it is clipped. kernel.meet(p, q, cp, cq) is the point where the segment from p to q meets a side of the
+    // window; cp and cq, of opposite sign, are the cross products of its ends with that side.
     { kernel.outline(vertices) } -> std::same_as<typename K::Outline>;
     kernel.cross(point, outline.front(), point);
 
-    // The first pixel of low <= i < end whose centre is at or after the value (end if there is none), the last
-    // whose centre is at or before it (low - 1 if there is none). A NaN gives low and low - 1: nothing.
+    // The first pixel of low <= i < end whose centre is at or after the value (end if there is none), and the last whose centre
+    // is at or before it (low - 1 if there is none). A NaN gives low and low - 1: an empty range.
     { kernel.first_centre(coordinate, 0, 1) } -> std::same_as<int>;
     { kernel.last_centre(coordinate, 0, 1) } -> std::same_as<int>;
 
-    // The rows of low <= row < end with their centres between the ends of a convex outline, and its columns on one.
+    // The rows low <= row < end whose centres lie between the ends of a convex outline, and the outline's columns on a row.
     { kernel.rows_of(outline, 0, 1) } -> std::same_as<Rows>;
     { kernel.columns_of(outline, 0, 0, 1).first } -> std::convertible_to<int>;
     { kernel.columns_of(vertices, 0, 0, 1).first } -> std::convertible_to<int>;
 
-    // On a row: like first_centre and last_centre, of the end of a span; whether two ends are at one place; and the
-    // order of two active edges, by x and then by dx. An end of a span is an active edge or a vertex.
+    // On a row: first_centre and last_centre for the end of a span; whether two ends are at one place; and the order of two
+    // active edges, by x and then by dx. An end of a span is an active edge or a vertex.
     { kernel.first_column(vertex, 0, 0, 1) } -> std::same_as<int>;
     { kernel.last_column(vertex, 0, 0, 1) } -> std::same_as<int>;
     { kernel.same_place(vertex, vertex, 0) } -> std::same_as<bool>;
 };
 
-/// A kernel under which the printed text runs: one whose decisions may be wrong, or the reference.
+/// A kernel that runs the printed text: one whose decisions may be wrong, or the reference.
 template <class K>
 concept PrintedKernel = Kernel<K> && requires(const K& kernel, const typename K::Number& number) {
     kernel.depth_of(number);

@@ -1,4 +1,4 @@
-/// Line: the labels of the listings' lines. Every event bears the one that caused it.
+/// Line: the labels of the listings' lines. Every event has the label of the line that caused it.
 #pragma once
 
 #include <array>

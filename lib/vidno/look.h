@@ -1,8 +1,7 @@
 /// Look: from polygons of the world to admitted polygons of a scene.
 ///
-/// In the world there is no viewer yet, so a polygon is checked as one who looks along the axis nearest to its normal
-/// would see it. What the camera makes of it is checked once more; where rounding has left it off-plane or reflex
-/// beyond the tolerance it is cut into triangles.
+/// In the world there is no viewer yet, so a polygon is checked as seen along the axis nearest to its normal. Its image under the
+/// camera is checked again. If rounding has left it off-plane or reflex beyond the tolerance, it is cut into triangles.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +18,13 @@
 
 namespace vidno {
 
-/// The vertices with the coordinates in another order: what was along the axis becomes z. Turns keep their sign.
+/// The vertices with the coordinates permuted: the one along the axis becomes z. Turns keep their sign.
 inline std::vector<glm::dvec3> seen_along(int axis, std::vector<glm::dvec3> vertices) {
     for (auto& vertex : vertices) vertex = {vertex[(axis + 1) % 3], vertex[(axis + 2) % 3], vertex[axis]};
     return vertices;
 }
 
-/// Newell's sum in doubles, of the polygon brought to a size at which nothing overflows: good for choices, not for
-/// decisions.
+/// Newell's sum in doubles, of the polygon scaled so that nothing overflows: good for choices, not for decisions.
 inline glm::dvec3 rough_normal(std::vector<glm::dvec3> vertices) {
     double greatest = 0;
     for (const auto& vertex : vertices) {
@@ -63,7 +61,7 @@ inline Admitted admit_in_world(ScenePolygon& polygon) {
     return admitted;
 }
 
-/// What a view shows of a convex planar polygon of the world.
+/// The admitted polygons that a view shows of a convex planar polygon of the world.
 inline Seen look(const View& view, const ScenePolygon& world) {
     ScenePolygon polygon{world.id, world.color, seen_by(view, world.vertices)};
     if (polygon.vertices.empty()) return {};

@@ -6,7 +6,7 @@
 
 namespace vidno {
 
-/// Beside the two of the course, the Warnock family (family/family.h), and Weiler and Atherton's algorithm, which gives more than a
+/// The two methods of the course, the Warnock family (family/family.h), and Weiler and Atherton's algorithm, which gives more than a
 /// picture (weiler_atherton.h).
 enum class Method : unsigned char {
     warnock,
@@ -27,7 +27,7 @@ constexpr bool is_family(Method method) {
     return Method::warnock_simplest <= method && method <= Method::warnock_bodies;
 }
 
-/// Those that look at windows.
+/// The methods that examine windows.
 constexpr bool is_warnock(Method method) { return method == Method::warnock || is_family(method); }
 
 }  // namespace vidno

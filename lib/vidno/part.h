@@ -1,4 +1,4 @@
-/// Part: the elements of a list from one place to another. What std::ranges::subrange is where the compiler has it.
+/// Part: the elements of a list from one iterator to another: std::ranges::subrange for compilers that lack it.
 #pragma once
 
 namespace vidno {

@@ -75,7 +75,7 @@ private:
     std::vector<Color> pixels_;
 };
 
-/// How many pixels of two pictures of the same area are not alike.
+/// How many pixels differ in two pictures of the same area.
 inline std::size_t different_pixels(const Picture& a, const Picture& b) {
     assert(a.area() == b.area());
     std::size_t count = 0;

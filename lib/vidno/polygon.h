@@ -39,7 +39,7 @@ Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
     return {left->x, top->y, right->x, bottom->y};
 }
 
-/// A polygon of the scene where the set has it on the screen, at this place of the scene; it has no plane yet.
+/// The polygon at this index of the scene, where the set puts it on the screen. It has no plane yet.
 template <class OnScreen>
 OnScreen polygon_on_screen(const auto& set, const auto& kernel, const Area& area, const ScenePolygon& source,
                            int index) {

@@ -1,9 +1,9 @@
-/// Printed: Warnock's algorithm and the Z-buffer as the course text prints them, errors and losses of the scan included.
+/// Printed: Warnock's algorithm and the Z-buffer as the course text prints them, with its errors and the losses of the scan.
 ///
-/// Each difference bears the id under which `trace/listings` and the lessons speak of it. What has no integer meaning in
-/// the text is fixed so: a fractional (x, y) is the pixel that holds it, a fractional window has the pixels whose
-/// centres lie in its half-open rectangle. A run always ends: where the text reads past a list, divides by zero in numbers
-/// without infinities, or would step for ever, it ends with a fault.
+/// Each difference has the id that `trace/listings` and the lessons use. Where the text gives fractions no meaning in pixels, we
+/// choose one: a fractional (x, y) is the pixel that holds it, a fractional window has the pixels whose centres lie in its
+/// half-open rectangle. A run always ends: where the text reads past a list, divides by zero in numbers without infinities, or
+/// would step forever, the run ends with a fault.
 #pragma once
 
 #include "corrected.h"
@@ -23,7 +23,7 @@ struct Printed : Corrected {
     /// X-W5: an area of any size is halved, so that windows end inside pixels.
     static Window root_window(const Area& area) { return whole_area(area); }
 
-    /// X-W9: that a part gets a copy is left unsaid: all windows share one list.
+    /// X-W9: the text does not say that a part gets a copy, so all windows share one list.
     template <class List>
     static std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) {
         return list;
@@ -35,7 +35,7 @@ struct Printed : Corrected {
     /// X-W1: a "not" is lost: surrounding polygons leave, others never.
     static bool discards(bool surrounding, bool outside) { return surrounding && outside; }
 
-    /// X-W3: a polygon nearest at all corners that does not surround the window leaves the one before it in force.
+    /// X-W3: a polygon nearest at all corners that does not surround the window leaves the earlier surrounding one valid.
     static bool uncovers(int k) { return 0 < k && k < 4; }
 
     /// X-W7: the product of two small numbers underflows to 0.

@@ -1,4 +1,4 @@
-/// Resolution: a grid of sub-pixels, and numbers on it. snap.h puts scenes on one.
+/// Resolution: a grid of sub-pixels, and numbers on it. snap.h snaps scenes to one.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace vidno {
 
-/// What snapping did.
+/// The changes that snapping made.
 struct Snapping {
     std::size_t vertices = 0, moved = 0;  // of the polygons and triangles that it made
     double farthest_moved = 0;            // in x or y, in pixels
@@ -41,7 +41,7 @@ inline glm::dvec3 snapped(const glm::dvec3& vertex, Resolution to) {
     return {snapped(vertex.x, to.xy), snapped(vertex.y, to.xy), snapped(vertex.z, to.z)};
 }
 
-/// Is the scene, snapped, less than grid_width steps across? Wider ones the kernel's whole numbers do not hold.
+/// Is the snapped scene less than grid_width steps across? The kernel's whole numbers do not hold wider ones.
 inline bool fits_grid(const Scene& scene, int bits) {
     const Window square = covering_square(scene.area);
     glm::dvec2 low(square.x, square.y), high(square.right(), square.bottom());

@@ -1,7 +1,7 @@
 /// Run: one execution of a method: its procedure set, kernel and visitor, the polygons, and the picture so far.
 ///
-/// A procedure calls another through the run, naming its own line: the set decides which text is executed, and
-/// the call tells the trace the result. So your own set is traced like ours.
+/// A procedure calls another through the run and names its own line. The set decides which text is executed, and the call reports
+/// the result to the trace. So your own set is traced like ours.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ struct ActiveWindow {
     std::shared_ptr<ActivePolygonList<K>> polygons;
 };
 
-/// What ProcessWindow finds out.
+/// The result of ProcessWindow.
 struct WindowSummary {
     int polygon_count = 0;
     bool has_surround = false;
@@ -60,7 +60,7 @@ struct Run {
     Picture& picture;
     std::vector<Polygon<K>> polygons;
     typename K::DepthBuffer depth_buffer;
-    double smallest_window = 1;  // its side: it gets one colour (W9); the text's is a pixel
+    double smallest_window = 1;  // the side at which a window gets one colour (W9); in the text, a pixel
 
     Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas, Set procedures = {})
         : set(std::move(procedures)),
@@ -122,7 +122,7 @@ struct Run {
         trace.draw(at, polygon, runs);
     }
 
-    /// `row` is a row, or in the printed text a y; an end has an x and a z.
+    /// `row` is a row or, in the printed text, a y; an end has an x and a z.
     void show_line(Line at, const auto& row, const auto& from, const auto& to, const Polygon<K>& polygon) {
         trace.call(at, Procedure::show_line);
         try {

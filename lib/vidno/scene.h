@@ -1,7 +1,7 @@
 /// Scene: convex planar polygons in screen space, and the area of pixels that shows them.
 ///
-/// x grows to the right, y downward, z towards the viewer: the greater z is the nearer. Pixel (i, j) is the
-/// square from (i, j) to (i + 1, j + 1); its centre decides its colour.
+/// x grows to the right, y downward, z towards the viewer: the greater z is nearer. Pixel (i, j) is the square from (i, j) to
+/// (i + 1, j + 1); its centre decides its colour.
 #pragma once
 
 #include <cassert>
@@ -29,7 +29,7 @@ struct Area {
     bool operator==(const Area&) const = default;
 };
 
-/// What an area's pixels of one row have, by their x: a row of a picture or of depths.
+/// The values of one row of an area's pixels, by x: a row of a picture or of depths.
 template <class T>
 struct PixelRow {
     T* first;
@@ -44,7 +44,7 @@ PixelRow<T> row_of(std::vector<T>& pixels, const Area& area, int y) {
     return {pixels.data() + std::size_t(y - area.y) * std::size_t(area.width), area.x};
 }
 
-/// What every scene keeps to; `admit` (admission.h) checks the polygons.
+/// The limits of every scene; `admit` (admission.h) checks the polygons.
 inline constexpr int largest_side = 16384;
 inline constexpr int farthest_offset = 1 << 30;
 inline constexpr std::size_t most_polygons = std::size_t{1} << 20;

@@ -1,8 +1,7 @@
-/// Snap: a scene on a grid of sub-pixels, as the kernel `grid` takes it and as hardware makes it.
+/// Snap: a scene snapped to a grid of sub-pixels, as the kernel `grid` needs it and as hardware does it.
 ///
-/// A polygon with more than three vertices of which one moves is cut into a fan first, for snapped it would be neither
-/// planar nor convex. x and y go to the nearest multiple of 2^-K pixel, z to the nearest of 2^-24; of two equally near
-/// ones to that farther from 0.
+/// A polygon with more than three vertices, any of which moves, is first cut into a fan, since snapping may leave it neither planar
+/// nor convex. x and y are rounded to the nearest multiple of 2^-K pixel, z to the nearest of 2^-24; ties go away from 0.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 
 namespace vidno {
 
-/// The polygon, or the triangles that it was cut into, all of its id.
+/// The polygon, or the triangles that it was cut into, all with its id.
 inline std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping) {
     const auto stays = [&](const glm::dvec3& vertex) { return vertex == snapped(vertex, to); };
     const bool whole =

@@ -1,8 +1,8 @@
 /// Trace: the visitor that hears a run, one call for each event, in the procedures' own words.
 ///
-/// Every event takes the label of the listing line that caused it and values that the run already has. The visitor turns
-/// them into text (trace/run/recorder.h). trace/FORMAT.md says what each event means. A visitor is passed by value and may
-/// hold a pointer. Your own visitor hides the events that it wants to hear:
+/// Every event takes the label of the listing line that caused it, and values that the run already has. The recorder
+/// (trace/run/recorder.h) turns them into text. trace/FORMAT.md explains each event. A visitor is passed by value and may hold a
+/// pointer. Your own visitor hides the events that it wants to hear:
 ///
 ///     struct CountSplits : NoTrace {
 ///         int* splits;
@@ -17,7 +17,7 @@
 
 namespace vidno {
 
-/// What Warnock's algorithm does with a window.
+/// The cases of a window in Warnock's algorithm.
 enum class Case : unsigned char { empty, surrounded, pixel, single, split };
 inline constexpr std::array<std::string_view, 5> case_names{"empty", "surrounded", "pixel", "single", "split"};
 
@@ -117,8 +117,8 @@ struct NoTrace {
     void step(Line, int /*column*/, bool /*changes*/) {}
 
     // The Warnock family: ThreeListsWarnock, Relation
-    void join(Line, auto /*relation*/, const auto& /*list*/) {}    // what joined is its last
-    void rejoin(Line, auto /*relation*/, const auto& /*list*/) {}  // its last goes back
+    void join(Line, auto /*relation*/, const auto& /*list*/) {}    // the last element has joined
+    void rejoin(Line, auto /*relation*/, const auto& /*list*/) {}  // the last element goes back
     void relation(Line, const auto& /*polygon*/, auto /*relation*/) {}
 
     // TrialFunction, RayCrossings, OctantAngles
@@ -163,7 +163,7 @@ struct NoTrace {
     void behind(Line, const auto& /*polygon*/, const auto& /*clip_polygon*/, const auto& /*point*/, const auto& /*z*/,
                 const auto& /*clip_z*/, auto /*order*/, bool /*behind*/) {}
 
-    // PaintRegions; it tells the rows of a region as FillPolygon does
+    // PaintRegions; it reports the rows of a region as FillPolygon does
     void order(Line, const auto& /*polygon*/, const auto& /*other_polygon*/, const auto& /*point*/, const auto& /*z*/,
                const auto& /*other_z*/, auto /*order*/) {}
     void paint(Line, const auto& /*polygon*/, int /*x*/, int /*y*/) {}

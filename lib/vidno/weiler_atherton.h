@@ -10,8 +10,8 @@
 
 namespace vidno {
 
-/// The loops of a region: it is on the positive side of each edge, so that (q - p) x (v - p) > 0 for a v next to the edge from p
-/// to q. Those that bound holes go round the other way.
+/// The loops of a region, which is on the positive side of each edge: (q - p) x (v - p) > 0 for a v next to the edge from p to q.
+/// Loops that bound holes have the opposite orientation.
 template <class Number>
 using Outlines = std::vector<std::vector<Point<Number>>>;
 
@@ -54,7 +54,7 @@ struct VisibleRegions {
     Picture picture;
 };
 
-/// What weiler_atherton/weiler_atherton.h says, told to the trace step by step. The numbers are the kernel's. The scene's polygons
+/// Runs weiler_atherton/weiler_atherton.h and reports each step to the trace. The numbers are the kernel's. The scene's polygons
 /// must have been admitted (admission.h).
 template <class Set = CorrectedWeilerAtherton, Kernel K, class Trace = NoTrace>
 VisibleRegions<typename OnRegions<K>::Number> visible_regions(const Scene& scene, K kernel, Trace trace = {}) {

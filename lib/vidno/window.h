@@ -1,6 +1,6 @@
 /// Window: a rectangle of the plane that Warnock's algorithm looks at.
 ///
-/// A window is a whole-pixel rectangle halved again and again, so a double holds each of its coordinates exactly
+/// A window is a whole-pixel rectangle that was halved repeatedly, so a double holds each of its coordinates exactly
 /// (30 bits of offset, 14 halvings), in every edition and under every kernel.
 #pragma once
 
@@ -31,7 +31,7 @@ inline bool off_area(const Window& window, const Area& area) {
            window.bottom() <= area.y;
 }
 
-/// The least power-of-two square at the area's corner that covers it: its windows end at whole pixels.
+/// The smallest power-of-two square at the area's corner that covers it. Its windows end at whole pixels.
 inline Window covering_square(const Area& area) {
     const auto side = double(std::bit_ceil(unsigned(std::max(area.width, area.height))));
     return {double(area.x), double(area.y), side, side};

@@ -1,4 +1,4 @@
-// What drawing, being right, recording and exporting cost: ./dev bench
+// The cost of drawing, of always right kernels, of recording and of exporting: ./dev bench
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace vidno;
 constexpr auto warnock = Method::warnock;
 constexpr auto zbuffer = Method::zbuffer;
 
-/// Drawing with the visitor that hears nothing: so many random triangles at 512 x 512, four deep.
+/// Draws N random triangles at 512 x 512, four deep, with the visitor that hears nothing.
 template <Method method>
 void draw(benchmark::State& state) {
     const Scene scene = random_triangles(int(state.range(0)), 512, 4);
@@ -40,7 +40,7 @@ double seconds(const auto& work) {
     return std::chrono::duration<double>(clock::now() - start).count();
 }
 
-/// How many times the other's time some work takes: the median of runs by turns.
+/// The time of some work relative to other work: the median of alternating runs.
 double times(const auto& other, const auto& work) {
     std::vector<double> ratios;
     for (int i = 0; i < 9; ++i) {
@@ -62,7 +62,7 @@ void draw_filtered(benchmark::State& state) {
 BENCHMARK(draw_filtered<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_filtered<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// The same under `grid`, of the snapped scene: right for that one.
+/// The same under `grid`, which is right for the snapped scene.
 template <Method method>
 void draw_grid(benchmark::State& state) {
     const Scene scene = random_triangles(int(state.range(0)), 512, 4);
@@ -75,7 +75,7 @@ void draw_grid(benchmark::State& state) {
 BENCHMARK(draw_grid<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_grid<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// The visible regions of triangles of which many pierce each other.
+/// The visible regions of triangles, many of which pierce each other.
 template <class K>
 void regions(benchmark::State& state) {
     const Scene scene = small_triangles(int(state.range(0)));
@@ -85,7 +85,7 @@ BENCHMARK(regions<Double>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMilli
 BENCHMARK(regions<Filtered>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
 BENCHMARK(regions<Exact>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
 
-/// Orientation tests of random points, 512 pixels apart at most, under `filtered` and by CGAL's filtered predicate.
+/// Orientation tests of random points, at most 512 pixels apart, under `filtered` and by CGAL's filtered predicate.
 void orient(benchmark::State& state) {
     std::mt19937 random(1);
     std::uniform_real_distribution<> coordinate(0, 512);
@@ -176,7 +176,7 @@ void export_lines(benchmark::State& state) {
     const Scene scene = traced_scene();
     const auto events = events_of<method>(scene);
     std::size_t bytes = 0;
-    // In blocks, as the writer hands them on: what is measured is the text, not the memory for all of it.
+    // In blocks, as the writer passes them on: we measure the formatting, not the memory for the whole text.
     const auto in_blocks = [&](auto& text, const auto& append) {
         bytes = 0;
         for (const auto& event : events) {

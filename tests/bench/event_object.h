@@ -1,4 +1,4 @@
-/// An event as a tree of JSON values: how a trace would be written without EventText.
+/// An event as a tree of JSON values, as a trace would be written without EventText.
 #pragma once
 
 #include <nlohmann/json.hpp>

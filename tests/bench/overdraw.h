@@ -10,8 +10,8 @@
 
 namespace vidno {
 
-/// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at a depth of its own, which
-/// together have `overdraw` times the square's area.
+/// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at its own depth. Together they have
+/// `overdraw` times the square's area.
 inline Scene random_triangles(int count, int side, double overdraw) {
     std::uint64_t state = 1;
     const auto random = [&] {  // 0 <= r < 1; Knuth's MMIX generator, whose high bits are good

@@ -1,4 +1,4 @@
-// Charts of cost against error: what is counted and measured, on scenes small enough to be counted by hand.
+// Charts of cost against error: counts and measurements on scenes small enough to be counted by hand.
 
 #include "chart/chart.h"
 
@@ -93,8 +93,8 @@ TEST_CASE("Chart: other methods that take the scene, under each kernel") {
 
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
     using enum Operation;
-    // The box test, twice; the edges against four corners each. To the right of the centre (8, 8) one edge crosses the ray, the one
-    // from (17, -1) to (17, 17): only that and the one on the left pass from one side to the other.
+    // The box test, twice; four corners against each edge. To the right of the centre (8, 8) one edge crosses the ray, the one from
+    // (17, -1) to (17, 17): only this edge and the left one pass from one side of the ray's line to the other.
     CHECK(examined(whole_quad(), Method::warnock_full, "double").operations ==
           counted({{windows, 1}, {boxes, 2}, {orientations, 4 * 4 + 2}}));
     // The quad's corners are in the octants 0, 2, 4 and 6: nothing is split.
@@ -105,7 +105,7 @@ TEST_CASE("Operations: the Warnock family finds a window surrounded by its own t
           counted({{windows, 341}, {boxes, 341}, {orientations, 4 * 256}, {depths, 256}, {comparisons, 256}}));
 }
 
-TEST_CASE("Wrong pixels of a method with a rule of its own are held against that") {
+TEST_CASE("Wrong pixels of a method with its own rule are those that differ from this rule") {
     const Scene edge_on = SceneBuilder(area_16).polygon({{2.5, 2.5, 0}, {2.5, 9.5, 0}, {2.5, 6, 1}}).build();
     CHECK(examined(edge_on, Method::warnock_edges, "double").wrong_pixels == 0);
     CHECK(examined(edge_on, Method::warnock_full, "double").wrong_pixels == 0);
@@ -114,7 +114,7 @@ TEST_CASE("Wrong pixels of a method with a rule of its own are held against that
 }
 
 TEST_CASE("Operations: a window that a quad surrounds") {
-    // One window; its four corners' depths, each compared; each corner on the inner side of four edges.
+    // One window; the depths of its four corners, each compared; each corner on the inner side of four edges.
     using enum Operation;
     const auto expected = counted({{windows, 1}, {boxes, 1}, {depths, 4}, {comparisons, 4}, {orientations, 16}});
     for (const auto* kernel : {"float", "bits:12", "filtered", "grid:4", "exact"}) {
@@ -143,8 +143,8 @@ TEST_CASE("Area: of a pixel that is half covered, half is wrong") {
 }
 
 TEST_CASE("Area: what of each pixel shows the colour that it has not, where an outline is slanted") {
-    // From (0, 1) the slanted edge falls to (3, 0): of the three pixels it leaves 5/6, 3/6 and 1/6. The centre of the second lies on it,
-    // so the first two are painted, the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
+    // The slanted edge goes from (0, 1) to (3, 0) and covers 5/6, 3/6 and 1/6 of the three pixels. The centre of the second lies on it,
+    // so the first two are painted and the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
     const Scene scene = SceneBuilder({0, 0, 3, 1}).polygon({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}).build();
     CHECK(Examiner(scene).area_of_pixels() == doctest::Approx(5 / 6.).epsilon(1e-15));
     // All white: 5/6 + 3/6 + 1/6.
@@ -152,7 +152,7 @@ TEST_CASE("Area: what of each pixel shows the colour that it has not, where an o
 }
 
 TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and a hole is its own") {
-    // A quad of 2 x 2 around one of 1/2 x 1/2 that is nearer, in the middle of a pixel, and one of 1 x 1 behind.
+    // A quad of 2 x 2, a nearer one of 1/2 x 1/2 in the middle of a pixel in front of it, and one of 1 x 1 behind.
     const Scene scene =
         SceneBuilder({0, 0, 2, 2}).quad(0, 0, 2, 2, 0).quad(.25, .25, .75, .75, .5).quad(1, 1, 2, 2, -.5).build();
     Picture picture(scene.area, color_of(0));
@@ -168,14 +168,14 @@ TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and
 
 TEST_CASE("Operations: Weiler and Atherton's algorithm on one quad") {
     using enum Operation;
-    // Cut to the area: its four edges lie outside, and those of the area inside it (which are not told). Its greatest depth is found
-    // at four vertices; a list of one; 16 rows, each looked at above and below its centres.
+    // Cut to the area: its four edges lie outside, and those of the area inside it (which are not reported). Its greatest depth is found
+    // at four vertices; a list of one; 16 rows, each examined above and below its centres.
     CHECK(examined(whole_quad(), Method::weiler_atherton, "double").operations ==
           counted({{windows, 1}, {depths, 4}, {orientations, 4}, {rows, 32}}));
 }
 
 TEST_CASE("Smallest window: one colour for the whole area, that of its centre") {
-    // (8, 8) lies in the quad: seven columns are wrong, and half of an eighth.
+    // (8, 8) lies in the quad: seven columns and half of an eighth are wrong.
     const Findings found = examined(half_quad(), Method::warnock, "double", 16);
     CHECK(found.operations[std::size_t(Operation::windows)] == 1);
     CHECK(found.wrong_pixels == 16 * 7);
@@ -267,7 +267,7 @@ TEST_CASE("The front: each of its runs is cheaper or less wrong than every other
 }
 
 TEST_CASE("A run that a fault ended is on no front") {
-    // The printed ShowLine divides by zero at the tip of a triangle: exact rationals have no infinity to go on with.
+    // The printed ShowLine divides by zero at the tip of a triangle; exact rationals have no infinity to continue with.
     const Scene scene = SceneBuilder(area_16).polygon({{2, 2, 0}, {14, 8, 0}, {4, 12, 0}}).build();
     int ended = 0;
     for (const auto& run : charted(scene).runs) {
@@ -310,7 +310,7 @@ TEST_CASE("JSON and CSV say the same, whatever the scene is called") {
     CHECK(row.rfind("and more\",\"ordinary\",0,256,1,0.0,\"warnock\",\"float\",\"corrected\",1,,,true,", 0) == 0);
 }
 
-TEST_CASE("What gnuplot is told: no name gets out of its quotes") {
+TEST_CASE("Input for gnuplot: no name gets out of its quotes") {
     Scene scene = whole_quad();
     scene.name = "it's `touch x`\nset output 'y'";
     const std::string script = chart_script({charted(scene)}, 0, 0);

@@ -1,4 +1,4 @@
-// Charts of surfaces: what sampling costs and what it misses, on a surface small enough to be counted by hand.
+// Charts of surfaces: the cost of sampling and what it misses, on a surface small enough to be counted by hand.
 
 #include "chart/surface_chart.h"
 
@@ -74,15 +74,15 @@ TEST_CASE("Chart of a surface: a peak that falls between two samples") {
         CHECK(missed.found.height == 6);
         CHECK_MESSAGE(missed.found.wrong_columns == 1, "the last curve over column 10");
         CHECK_MESSAGE(missed.found.wrong_decisions == 0, "every decision is right for these samples");
-        // All is visible: of each curve 33 columns, and 32 steps from one to the next, of which both columns are gone along.
+        // Everything is visible: each curve has 33 columns and 32 steps between them, and Horizon covers both columns of each step.
         CHECK(missed.found.operations == counted(3 * 33, 3 * 32 * 2, 0, 0));
 
         const auto found = run_in(chart, kernel, Edition::corrected, SamplingKnob::samples, 33);
         CHECK(found.cost.samples == 3 * 33);
         CHECK(found.found.height == 0);
         CHECK(found.found.wrong_columns == 0);
-        // Of the last curve 30 steps are visible; on the two beside column 10 it meets the horizon: a column gone along, one
-        // looked at, a crossing.
+        // 30 steps of the last curve are visible. On each of the two beside column 10 it meets the horizon: Horizon covers one column,
+        // Intersection examines one and computes a crossing.
         CHECK(found.found.operations == counted(3 * 33, 2 * 64 + 30 * 2 + 2, 2, 2));
         CHECK(found.cost.operations == 99 + 190 + 2 + 2);
     }
@@ -90,7 +90,7 @@ TEST_CASE("Chart of a surface: a peak that falls between two samples") {
 
 TEST_CASE("Chart of a surface: a tolerance takes the samples that the function needs") {
     const SurfaceChart chart = charted(peak);
-    // Halved while the peak is between: 0, 8, 10, 12, 16, 32. The level curves have their ends.
+    // Intervals that contain the peak are halved: 0, 8, 10, 12, 16, 32. The level curves have only their ends.
     for (const double tolerance : {4., 1., 1 / 16.}) {
         CAPTURE(tolerance);
         const auto found = run_in(chart, "double", Edition::corrected, SamplingKnob::tolerance, tolerance);
@@ -103,9 +103,10 @@ TEST_CASE("Chart of a surface: a tolerance takes the samples that the function n
     CHECK(missed.found.height == 6);
 }
 
-TEST_CASE("Chart of a surface: as printed, columns are looked at only where samples stand") {
+TEST_CASE("Chart of a surface: as printed, only columns with samples are examined") {
     const SurfaceChart chart = charted(peak);
-    // Of each curve 9 columns, and 8 steps of 4, each with 5 columns; both side edges of the second and third curve, a column each.
+    // Each curve has 9 columns, and 8 steps of 4 columns, each covering 5; both side edges of the second and third curve cover one column
+    // each.
     const auto missed = run_in(chart, "exact", Edition::printed, std::nullopt);
     CHECK(missed.found.operations == counted(3 * 9, 3 * 8 * 5 + 4, 0, 0));
     CHECK(missed.found.wrong_columns == 1);

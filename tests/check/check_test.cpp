@@ -1,4 +1,4 @@
-// The exact shadow: what it says of single decisions, of whole runs, and in a trace.
+// The exact shadow: its verdicts on single decisions, on whole runs, and in a trace.
 
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// A judged kernel, and what its judge and its surveyor heard.
+/// A judged kernel, and what its judge and surveyor heard.
 struct Court {
     std::vector<Verdict> verdicts;
     double off = 0;
@@ -201,7 +201,7 @@ TEST_CASE("A run under filtered counts which stage decided") {
     const auto easy = checked(plain, Method::zbuffer, "filtered").decided_by;
     CHECK(easy[std::size_t(FilterStage::scene)] == 64);
     CHECK(easy[std::size_t(FilterStage::exact)] == 0);
-    // The same square again: 64 depths are equal, which no bound tells.
+    // The same square again: 64 depths are equal, which no bound decides.
     const Scene tied = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).quad(4, 4, 12, 12, .5).build();
     const auto hard = checked(tied, Method::zbuffer, "filtered").decided_by;
     CHECK(hard[std::size_t(FilterStage::scene)] == 64);

@@ -1,5 +1,5 @@
-// The exact zeros of the list of decisions, against counts in rationals. These know the scene and the picture rule; of a run they take at
-// most what was asked, never an answer or a number.
+// The exact zeros of the list of decisions, against counts in rationals. The counts use the scene and the picture rule. From a run they
+// take at most its questions, never an answer or a number.
 
 #include <doctest/doctest.h>
 
@@ -20,11 +20,11 @@ using namespace vidno::test;
 
 namespace {
 
-/// Polygons and pixels as the picture rule has them, in rationals.
+/// Polygons and pixels by the picture rule, in rationals.
 class InRationals {
 public:
-    /// The ends of the closed polygon on a row's centre line; none if it does not reach it. One of no width counts as it does for the
-    /// rule: not at all.
+    /// The ends of the closed polygon on a row's centre line; none if it does not reach it. As in the rule, a polygon without width does
+    /// not count.
     std::optional<std::pair<Rational, Rational>> ends(const ScenePolygon& polygon, int row) const {
         if (polygon.edge_on) return std::nullopt;
         const Rational y = Rational(row) + half;
@@ -73,7 +73,7 @@ public:
         return 0;
     }
 
-    /// Whether all vertices lie in one plane exactly: then it is the same by any three of them.
+    /// Whether all vertices lie in one plane exactly, so that any three of them give the same plane.
     static bool is_planar(const ScenePolygon& polygon) {
         return polygon.edge_on || std::all_of(polygon.vertices.begin(), polygon.vertices.end(), [&](const auto& v) {
                    return depth(polygon, Rational(v.x), Rational(v.y)) == Rational(v.z);
@@ -95,7 +95,7 @@ void hear_run(const Scene& scene, Method method,
     run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
 }
 
-/// What the tests below compare of an exact zero.
+/// The fields of an exact zero that the tests below compare.
 struct Zero {
     std::uint64_t step;
     Procedure procedure;
@@ -130,7 +130,7 @@ std::vector<Place> outline_of(const ScenePolygon& polygon) {
     return outline;
 }
 
-/// A polygon that is clipped by the sides of a window one after the other: top, left, bottom, right.
+/// A polygon that is clipped by the sides of a window in turn: top, left, bottom, right.
 class Clipped {
 public:
     Clipped(const ScenePolygon& polygon, const Window& window) : outline_(outline_of(polygon)), window_(window) {}
@@ -179,7 +179,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Where a polygon is exactly as near as the nearest before it in the scene.
+/// Adds the polygons that are exactly as near as the nearest before them in the scene.
 void add_ties(const Scene& scene, int x, int y, std::set<PolygonsAtPixel>& ties) {
     const InRationals exact;
     const Rational half = Rational(1) / 2;
@@ -210,7 +210,7 @@ Scene scene_with_copies(RandomScenes& random, int number) {
     return scene;
 }
 
-/// 1,000 scenes and their zeros under Warnock's algorithm: judging takes longest, and is done once for all tests.
+/// 1,000 scenes and their zeros under Warnock's algorithm. Judging takes longest, so it is done once for all tests.
 const std::vector<JudgedScene>& scenes_of_warnock() {
     static const std::vector<JudgedScene> scenes = [] {
         RandomScenes random(23);
@@ -267,7 +267,7 @@ TEST_CASE(
                     REQUIRE(width * height == 1);
                     listed_ends.emplace(each.polygons.at(0).index, x, y);
                 }
-                // A row with a level edge is shown twice: there a polygon is compared with itself.
+                // A row with a level edge is shown twice, so a polygon is compared with itself there.
                 if (is(Coincidence::equal_depths) && each.polygons.size() == 2) {
                     listed_ties.emplace(each.polygons[0].index, each.polygons[1].index, x, y);
                 }
@@ -452,15 +452,15 @@ std::vector<EdgeOf> edges_of(const std::vector<Place>& outline) {
 
 using PointOnLine = std::pair<Place, LineThrough>;
 
-/// What is found of two outlines that are laid on each other: vertices of one on lines of the other, and vertices in common.
+/// The coincidences of two overlaid outlines: vertices of one on lines of the other, and common vertices.
 struct Coincidences {
     std::set<PointOnLine> on_lines;
     std::set<Place> common;
     bool operator==(const Coincidences&) const = default;
 };
 
-/// An edge that both have is one: what is on it by construction is not asked. The line of an edge of the subject is of interest where it
-/// may meet an edge of the clip polygon: where that one's line meets it.
+/// A common edge counts as one edge, and vertices that are on it by construction are not tested. The line of an edge of the subject is
+/// tested where it may meet an edge of the clip polygon, that is, where the line of that edge meets the subject's edge.
 Coincidences coincidences(const std::vector<Place>& subject, const std::vector<Place>& clip) {
     Coincidences found;
     const auto is_shared = [](const EdgeOf& edge, const std::vector<EdgeOf>& others) {
@@ -496,7 +496,7 @@ Coincidences coincidences(const std::vector<Place>& subject, const std::vector<P
     return found;
 }
 
-/// Whether two convex polygons have area in common: no line of an edge has them on its two sides.
+/// Whether two convex polygons share area: no line of an edge separates them.
 bool overlap(const std::vector<Place>& p, const std::vector<Place>& q) {
     const auto separates = [](const EdgeOf& edge, const std::vector<Place>& own, const std::vector<Place>& other) {
         const auto all = [&](const std::vector<Place>& places, int side) {
@@ -530,7 +530,7 @@ bool has_operand(const Finding& finding, const std::string& name) {
     return std::any_of(operands.begin(), operands.end(), [&](const Operand& each) { return each.name == name; });
 }
 
-/// Two polygons with corners on few whole numbers, which lie strictly within the area, each level.
+/// Two level polygons strictly inside the area, with corners on few whole numbers.
 Scene two_level_polygons(RandomScenes& random) {
     SceneBuilder builder({0, 0, 8, 8});
     for (int i = 0; i < 2; ++i) {
@@ -560,7 +560,7 @@ TEST_CASE(
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
         const Scene scene = two_level_polygons(random);
-        // Which polygon clips the other, and at which step; none, if their boxes are apart.
+        // Which polygon clips the other, and at which step; none if their boxes are apart.
         std::optional<PolygonPlace> clip;
         std::uint64_t begin = 0;
         hear_run(scene, Method::weiler_atherton, [&](std::uint64_t step, const EventView& event) {

@@ -53,7 +53,7 @@ struct Witness {
                            : kernel.choice->runs(method_of_polygons(), edition);
     }
 
-    /// All that the run tells, without its header.
+    /// The whole trace of the run, without its header.
     std::string told(Edition edition) const {
         std::string text;
         const auto write = [&](std::string_view part) { text += part; };
@@ -88,7 +88,7 @@ const json& listings() {
     return read;
 }
 
-/// The labels of the lines that the listings call as printed, by the ids of the defects.
+/// The labels of the lines that the listings mark as printed, by the ids of the defects.
 std::map<std::string, std::vector<std::string>> printed_lines() {
     std::map<std::string, std::vector<std::string>> lines;
     for (const json& procedure : listings()["procedures"]) {
@@ -203,7 +203,7 @@ TEST_CASE("Editions: all defects together are the printed text") {
         if (!choice.defect.empty()) all += (all.back() == ':' ? "" : "+") + std::string(choice.defect);
     }
     CHECK(edition_named(all) == Edition::printed);
-    // Each method has its part of them, and no other's.
+    // Each method has its own deviations and no others.
     CHECK(has_text(Edition::printed, Method::warnock));
     CHECK(has_text_of_curves(Edition::printed));
     CHECK_FALSE(has_text(Edition::printed, Method::warnock_full));

@@ -1,4 +1,4 @@
-// The atlas of failures: each entry fails as it says under the weaker kernel or edition, and not under the stronger.
+// The atlas of failures: each entry fails as stated under the weaker kernel or edition, and not under the stronger.
 
 #include <doctest/doctest.h>
 
@@ -72,7 +72,7 @@ RunRequest request_of(const json& run, const Scene& scene) {
     return {method_named(run.at("method")), kernel_in(run), edition_in(run), scene, Detail::signs};
 }
 
-/// What a run shows of its failure.
+/// The signs of failure that a run shows.
 class Shown {
 public:
     Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
@@ -102,7 +102,7 @@ public:
 
     /// The farthest that an intersection is from the exact one, in pixels.
     double off() const { return checked().farthest_off; }
-    /// The intersections, in their order; under `filtered`, which does not survey them, too.
+    /// The intersections, in their order; also under `filtered`, which does not survey them.
     std::vector<glm::dvec2> intersections() const {
         std::vector<glm::dvec2> found;
         checked([&](const EventView& event) {
@@ -123,7 +123,7 @@ private:
     std::string trace_;
 };
 
-/// One of the forms in which an entry says what is to be seen.
+/// Checks one of the forms in which an entry describes the failure.
 void check_shown(const std::string& form, const json& told, const Shown& fails, const Shown& holds,
                  const Picture& right) {
     if (form == "pixel") {
@@ -164,7 +164,7 @@ void check_entry(const json& entry, const Scene& scene) {
     for (const auto& [form, told] : entry.at("shows").items()) check_shown(form, told, fails, holds, right);
 }
 
-/// What the rule of the floating horizon says.
+/// The columns that the rule of the floating horizon draws.
 ColumnsDrawn right_columns(const CurveScene& curves) {
     ColumnsDrawn right;
     const FloatingHorizonReference reference(curves);
@@ -172,7 +172,7 @@ ColumnsDrawn right_columns(const CurveScene& curves) {
     return right;
 }
 
-/// The curves of a surface file; of a function as it is over each column.
+/// The curves of a surface file; those of a function with a sample on each column.
 CurveScene true_curves(json surface) {
     if (surface.contains("function")) {
         surface["samples"] = surface.at("window").at("width");
@@ -363,7 +363,7 @@ TEST_CASE("Failures: the printed viewport puts the picture above the area") {
 }
 
 TEST_CASE("Failures: an empty list has no least element") {
-    // At the end of each of two polygons S and AEL are empty, in both editions; a row that comes next must never come.
+    // At the end of each of two polygons S and AEL are empty, in both editions, so no next row may come.
     const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).quad(4.5, 4.5, 12.5, 12.5, .5).build();
     const Picture right = right_picture(scene);
     for (const Edition edition : {Edition::corrected, Edition::printed}) {
@@ -396,7 +396,7 @@ struct WrongHorizonMet
     }
 };
 
-/// Of the rules by which the text differs from the corrected procedures, does this one show what the entry shows?
+/// Does this one of the rules in which the text differs from the corrected procedures show what the entry shows?
 template <class Set>
 bool shows_alone(const std::string& name) {
     const std::string file = VIDNO_ROOT "/lessons/failures/" + name + ".json";

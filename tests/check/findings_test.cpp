@@ -1,4 +1,5 @@
-// The list of decisions: what it holds, against hand calculations. coincidences_test.cpp holds its exact zeros against counts in rationals.
+// The contents of the list of decisions, against hand calculations. coincidences_test.cpp compares its exact zeros with counts in
+// rationals.
 
 #include <doctest/doctest.h>
 
@@ -77,7 +78,7 @@ TEST_CASE("A checked trace has the operands at each decision, and at a disagreem
                      R"({"e":"disagree","at":"L4","of":"first_centre","taken":0,"exact":1,"cause":"drifted",)" +
                      R"("operands":[["x","1/2","536870913/1073741824"],["low","0/1","0/1"],["end","4/1","4/1"]]})") !=
           std::string::npos);
-    // It is the only one, and the report's first step is that of the event before it.
+    // It is the only one, and the first step in the report is that of the event before it.
     CHECK(trace.find("disagree") == trace.rfind("disagree"));
     const auto report = check_run(request, right_picture(scene));
     const auto before = std::count(trace.begin(), trace.begin() + std::ptrdiff_t(trace.find("disagree")), '\n');

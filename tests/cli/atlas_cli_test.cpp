@@ -1,5 +1,5 @@
-// The atlas of failures through the command line: each entry is run as it fails, and its step and what is there are those of its table,
-// which lessons/failures/table.mjs works out from traces alone.
+// The atlas of failures through the command line: each entry is run as it fails. Its step and what is seen there must agree with the
+// table, which lessons/failures/table.mjs derives from traces alone.
 
 #include <doctest/doctest.h>
 
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 const std::string atlas = VIDNO_ROOT "/lessons/failures/";
 
-/// What the table states of an entry.
+/// What the table states about an entry.
 struct Stated {
     std::string step, there;
 };
@@ -168,7 +168,7 @@ TEST_CASE("Atlas: an entry that no scene can show is refused with the name of it
     CHECK(refused.text.find("no scene shows it: see the test \"Failures: a fused multiply-add") != std::string::npos);
 }
 
-TEST_CASE("Atlas: what is wrong with an entry of one's own is told at once, with its places") {
+TEST_CASE("Atlas: all errors in an entry of one's own are reported at once, with their places") {
     const Workplace work;
     const std::string file =
         work.write("own.json",

@@ -1,4 +1,4 @@
-// The program as its users call it: what it prints, its exit status, and that no file appears where it refuses.
+// The program as its users call it: its output, its exit status, and that it creates no file when it refuses.
 
 #include <doctest/doctest.h>
 
@@ -398,7 +398,7 @@ TEST_CASE("check --list writes the same decisions as a table") {
     REQUIRE(program(check + work.file("list.csv")).status == 0);
     const std::string json = work.read("list.jsonl"), table = work.read("list.csv");
     CHECK(table.starts_with("kind,step,at,procedure,of,polygons,pixels,"));
-    // Each of the two begins with one line that is no decision.
+    // Each of the two begins with one line that is not a decision.
     CHECK(std::count(table.begin(), table.end(), '\n') == std::count(json.begin(), json.end(), '\n'));
 }
 
@@ -459,7 +459,7 @@ TEST_CASE("margin refuses a step without a sign and a vertex that the scene lack
     CHECK(program(orientation + " --vertex 1.0").status == 2);
 }
 
-TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {
+TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, compared with the right run") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     // Upside down the square of the only row is the same.
@@ -873,7 +873,7 @@ TEST_CASE("stability: a campaign that is killed and called again ends as if it h
     const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 40 ";
     const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
     REQUIRE(whole.status == 0);
-    // It is killed once it has written a few blocks, wherever it then is.
+    // It is killed at some point after it has written a few blocks.
     const std::string file = work.file("killed.jsonl");
     const auto killed = program("-c \"'" VIDNO_FILE "' " + campaign + "-o " + file + " & while [ ! -f " + file +
                                     " ] || [ \\$(wc -l < " + file +
@@ -897,7 +897,7 @@ TEST_CASE("import, then both methods paint the same picture of the mesh") {
 }
 
 TEST_CASE("A run that a signal stops leaves no part of its file") {
-    // The system stops it by SIGXFSZ, number 25, as it writes beyond 512 bytes.
+    // The system stops it with SIGXFSZ, number 25, when it writes beyond 512 bytes.
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     const auto stopped = program("-c \"ulimit -f 1; '" VIDNO_FILE "' trace " + scene + " --detail signs -o " +

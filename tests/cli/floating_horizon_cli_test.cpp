@@ -84,7 +84,7 @@ TEST_CASE("surfaces: diff tells where editions part, check what is wrong") {
     CHECK(has(checked.text, "Visibility"));
     CHECK(has(checked.text, "wrong columns of curves: 0 of 10"));
     CHECK(program("check " + surface + " --kernel exact").status == 0);
-    // As printed, what is below at both ends is not drawn (X-H1): the second of two level lines.
+    // As printed, a step that is below at both ends is not drawn (X-H1): the second of two level lines.
     const std::string below =
         work.write("below.json", R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":16},)"
                                  R"("curves":[[[0,4],[4,4]],[[0,12],[4,12]]]})");
@@ -124,7 +124,7 @@ TEST_CASE("surfaces: what is refused, and says why") {
     CHECK(refusal("trace " + surface + " --method zbuffer" + output) ==
           "vidno: " + surface + ": a surface, which only --method floating-horizon draws\n");
     CHECK(refusal("trace " + polygons + " --method floating-horizon" + output) ==
-          "vidno: --method floating-horizon: " + polygons + " is no surface, vidno-surface/1\n");
+          "vidno: --method floating-horizon: " + polygons + " is not a surface, vidno-surface/1\n");
     CHECK(refusal("trace " + surface + " --kernel grid:4" + output) == "vidno: --kernel grid:4: for polygons alone\n");
     CHECK(refusal("trace " + surface + " --kernel filtered --edition printed" + output) ==
           "vidno: --edition printed: not under --kernel filtered, whose decisions are always right\n");

@@ -1,5 +1,5 @@
-# Installs the library from BUILD, builds the consumer against that tree alone, and compares what it prints with
-# what a pencil gives. Run with -P.
+# Installs the library from BUILD, builds the consumer against the installed tree alone, and compares its output with a picture drawn by
+# hand. Run with -P.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 

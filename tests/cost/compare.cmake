@@ -14,7 +14,7 @@ if(NOT printed_TRACED STREQUAL printed_STRIPPED)
     message(FATAL_ERROR "Not the same pictures:\n${printed_TRACED}${printed_STRIPPED}")
 endif()
 
-# Fewer is no cost: the compiler may inline otherwise, and better, with the calls in.
+# Fewer is fine: with the calls present the compiler may inline differently, and better.
 math(EXPR difference "${count_TRACED} - ${count_STRIPPED}")
 math(EXPR parts_per_million "${difference} * 1000000 / ${count_STRIPPED}")
 message(STATUS "instructions with trace calls ${count_TRACED}, stripped ${count_STRIPPED}, "

@@ -22,7 +22,7 @@ public:
         std::vector<Traits::Surface_3> triangles;
         for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
             const auto& polygon = scene.polygons[i];
-            // CGAL would show the upper outline of an edge-on triangle, and may not be given one without area in space.
+            // CGAL would show the upper outline of an edge-on triangle, and does not accept one without area in space.
             if (polygon.edge_on) continue;
             const auto corner = [&](std::size_t k) {
                 const auto& v = polygon.vertices[k];

@@ -1,6 +1,6 @@
-// The picture rule before an independent judge: CGAL's envelope, the brute-force reference and both methods under
-// `exact` and `filtered` give one picture of every scene of triangles. The visible regions of Weiler and Atherton have the areas of
-// the envelope's faces, to the last digit.
+// The picture rule against an independent judge: CGAL's envelope, the brute-force reference and both methods under `exact` and
+// `filtered` give the same picture of every scene of triangles. The visible regions of Weiler and Atherton have exactly the areas of
+// the envelope's faces.
 
 #include "envelope.h"
 
@@ -18,7 +18,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// In the least area that holds all triangles: the envelope does not end at one.
+/// The scene in the smallest area that holds all triangles, since the envelope is not cut to an area.
 Scene whole(Scene scene) {
     glm::dvec3 low(scene.area.x, scene.area.y, 0), high(scene.area.right(), scene.area.bottom(), 0);
     for (const auto& polygon : scene.polygons) {
@@ -137,11 +137,11 @@ TEST_CASE("Many triangles that interpenetrate") {
         return builder.build();
     };
     check_pictures(triangles(100));
-    check_regions(triangles(12));  // in so many pieces that more would take minutes
+    check_regions(triangles(12));  // more triangles would make too many pieces and take minutes
 }
 
 TEST_CASE("Interpenetrating triangles") {
-    // The third is level, and passes through the line in which the others meet.
+    // The third is level and passes through the line where the others meet.
     check_all_agree(SceneBuilder(area_16)
                         .polygon({{0, 1, 0}, {16, 8, 1}, {0, 15, 0}})
                         .polygon({{16, 1, 0}, {0, 8, 1}, {16, 15, 0}})
@@ -150,7 +150,7 @@ TEST_CASE("Interpenetrating triangles") {
 }
 
 TEST_CASE("Cyclic overlap") {
-    // The base of each triangle is before the tip of the last one.
+    // The base of each triangle is in front of the tip of the previous one.
     check_all_agree(SceneBuilder(area_16)
                         .polygon({{1, 1, .75}, {1, 6, .75}, {16, 3, .25}})
                         .polygon({{15, 0, .75}, {9, 0, .75}, {9, 16, .25}})
@@ -168,7 +168,7 @@ TEST_CASE("A fan of triangles that share edges and a vertex") {
 }
 
 TEST_CASE("Coplanar overlaps") {
-    // All in the plane z = x / 16; outlines cross each other on pixel centres.
+    // All lie in the plane z = x / 16; outlines cross each other on pixel centres.
     check_all_agree(SceneBuilder(area_16)
                         .polygon({{0, 0, 0}, {12, 0, .75}, {0, 12, 0}})
                         .polygon({{4, 4, .25}, {16, 4, 1}, {4, 16, .25}})

@@ -1,4 +1,4 @@
-// Figures: what stands where in small drawings that can be worked out by hand, and what the files are made of.
+// Figures: the layout of small drawings that can be computed by hand, and the contents of the files.
 
 #include "figure/figure.h"
 
@@ -32,7 +32,7 @@ Scene near_before_far() {
 /// The area of 16 x 16 at 5 mm a pixel, without a margin.
 const Plane plane_80{test::area_16, 5, {0, 0}, {0, 0, 80, 80}};
 
-/// Of a drawing all that is of one kind.
+/// All things of one kind in a drawing.
 template <class Thing>
 std::vector<Thing> all(const Drawing& drawing) {
     std::vector<Thing> found;
@@ -191,7 +191,7 @@ TEST_CASE(
 TEST_CASE("octant angles: the octants around the window, and by how many an edge turns, at its middle") {
     Drawing drawing{80, 80};
     draw_marks(drawing, beside_a_triangle(event::Octants{Line::OA3, {0}, 0, 3, 4, -1}), plane_80, {});
-    // Of the octants around (0, 0) 8 x 8 those that are on the drawing: right, below, and both; and the turn.
+    // The octants around (0, 0) 8 x 8 that are on the drawing: right, below, and both; and the turn.
     CHECK(texts_of(drawing) == std::vector<std::string>{"3", "4", "5", "\u22121"});
     const auto labels = all<Label>(drawing);
     CHECK(labels[1].at.x > 40);
@@ -200,7 +200,7 @@ TEST_CASE("octant angles: the octants around the window, and by how many an edge
     CHECK_MESSAGE(has_line(drawing, {{40, 0}, {40, 80}}), "the line of the window's right side");
 }
 
-TEST_CASE("the list of a window: its polygons, what is known of each, and the one at hand") {
+TEST_CASE("the list of a window: its polygons, what is known of each, and the current one") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.insert(events.end(), {event::Corners{Line::PW1, Value::minus_infinite()}, event::Count{Line::PW4, {0}, 1}});
@@ -257,7 +257,7 @@ TEST_CASE("what a trace does not tell is refused") {
     CHECK_THROWS_AS(list_part(Moment(header), {}, 80), Refused);
 }
 
-TEST_CASE("the listing: the procedure at hand, and an arrow at its current line") {
+TEST_CASE("the listing: the current procedure, and an arrow at its current line") {
     const TraceHeader header = header_of(near_before_far());
     const Drawing listing = listing_part(after(header, a_division()), {}, 200);
     const auto labels = all<Label>(listing);
@@ -356,7 +356,7 @@ TEST_CASE("numbers as they are read") {
     CHECK(readable(Value("12/1")) == "12");
     CHECK(readable(Value("1000000001/3000000000")) == "≈0.3333");
     CHECK(readable(Value::minus_infinite()) == "−∞");
-    // 10^40 / (4 * 10^40): no double holds its parts to the last digit.
+    // 10^40 / (4 * 10^40): no double holds its parts exactly.
     CHECK(number_of(Value("1" + std::string(40, '0') + "/4" + std::string(40, '0'))) == doctest::Approx(0.25));
 }
 

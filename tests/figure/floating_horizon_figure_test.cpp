@@ -1,4 +1,4 @@
-// Figures of a run of curves: what stands where in a small drawing that can be worked out by hand.
+// Figures of a run of curves: the layout of a small drawing that can be computed by hand.
 
 #include <doctest/doctest.h>
 
@@ -25,7 +25,7 @@ FloatingHorizonHeader crossing_curves() {
             {"", test::CurveSceneBuilder(columns_9).curve({{0, 8}, {4, 8}}).curve({{0, 13}, {4, 5}}).build()}};
 }
 
-/// The first curve is drawn and has raised both horizons; of the second one, two parts.
+/// The first curve is drawn and has raised both horizons; two parts of the second one are drawn.
 std::vector<Event> some_events() {
     const std::vector<ColumnHeight> level{{0, 8}, {1, 8}, {2, 8}, {3, 8}, {4, 8}};
     return {event::Horizons{Line::FH1, {}, {}},
@@ -83,7 +83,7 @@ TEST_CASE("curve figure: horizons only where there are any") {
     CHECK_FALSE(*paths_of(drawing)[0].stroke == *paths_of(drawing)[1].stroke);
 }
 
-TEST_CASE("curve figure: the segment at hand is heavy, the height that is compared a dot on its column") {
+TEST_CASE("curve figure: the current segment is heavy, the compared height is a dot on its column") {
     const FloatingHorizonHeader header = crossing_curves();
     Drawing drawing;
     draw_curve_at_hand(drawing, after(header, some_events()), plane_90, {});

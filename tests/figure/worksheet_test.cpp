@@ -1,4 +1,4 @@
-// Worksheets: what is on the pages, blank and filled in.
+// Worksheets: the contents of the pages, blank and filled in.
 
 #include "figure/worksheet.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
 
-/// A covers all of 2 x 2 pixels; B, before it, lies in the upper left one.
+/// A covers all of 2 x 2 pixels; B, in front of it, lies in the upper left one.
 Scene a_pixel_before_a_wall() {
     return test::SceneBuilder({0, 0, 2, 2}).quad(-1, -1, 3, 3, 0).quad(.25, .25, .75, .75, .5).build();
 }
@@ -70,8 +70,8 @@ TEST_CASE("worksheet: the windows of a pixel before a wall, by hand") {
     // Both planes are level: A, of side 4, has c = 2 * 16 and d = 0; B, of side 1/2, c = 1/2 and d = -c / 2.
     CHECK(lines_with(pages[0], "32") == std::vector<Texts>{{"A", "0", "0", "32", "0"}});
     CHECK(lines_with(pages[0], "1/2") == std::vector<Texts>{{"B", "0", "0", "1/2", "−1/4"}});
-    // B is nearer at all corners of the first window, but does not surround it: it is split. Of the parts, taken from the
-    // end of AW, B's box is outside of three, and A surrounds them; the fourth is a pixel, in whose middle B is nearest.
+    // B is nearer at all corners of the first window but does not surround it, so the window is split. The parts are taken from the
+    // end of AW. B's box is outside three of them, and A surrounds these; the fourth is a pixel, and B is nearest at its centre.
     CHECK(lines_with(pages[1], "W13 split") == std::vector<Texts>{{"1", "(0, 0) 2 × 2", "S 4", "+ 4", "W13 split"}});
     CHECK(lines_with(pages[1], "W8 surrounded") ==
           std::vector<Texts>{{"2", "(1, 1) 1 × 1", "S 4", "−", "W8 surrounded", "A"},

@@ -1,4 +1,4 @@
-// What follows from the table of events and is committed: it must be as the table has it.
+// Committed files that are derived from the table of events must agree with it.
 
 #include "event_table/event_table.h"
 
@@ -59,7 +59,8 @@ TEST_CASE("FORMAT.md says which edition of which method runs under which kernel"
     CHECK(says("| `warnock-angles` | `octants-not-split` | `double`, `exact` |"));
     CHECK(says("| `weiler-atherton` | `corrected` | `float`, `double`, `bits`, `filtered`, `exact` |"));
     CHECK(says("| `one-list` | all parts of a window share one list |"));
-    CHECK(says("| `bits:P` | every result rounded to P bits; decisions as they fall; P from 4 to 24 |"));
+    CHECK(says(
+        "| `bits:P` | every result rounded to P bits; decisions follow from the rounded values; P from 4 to 24 |"));
 }
 
 TEST_CASE("The calls of the header for students have the levels and lines of their events, and its results are bold") {

@@ -263,7 +263,7 @@ CheckedEvents checked(const Surface& surface, const Choice& choice) {
 
 bool is_visible(const Answer& flag) { return std::get<int>(flag) != int(VisibilityFlag::hidden); }
 
-/// What the rule says of each column of each curve, one after the other.
+/// The flags that the rule gives for each column of each curve, in order.
 std::vector<bool> by_the_rule(const CurveScene& scene) {
     std::vector<bool> visible;
     const FloatingHorizonReference reference(scene);
@@ -288,7 +288,7 @@ TEST_CASE("Curves: a checked run is the run, and every flag has its truth beside
         const CheckedEvents found = checked(surface, choice);
         CHECK(text_of(found.plain) == text_of(events_of(traced(surface, choice, Detail::signs).text)));
         for (const auto& flag : found.flags) CHECK(flag.told.exact.has_value());
-        // Only filtered says by what it decided, where there was a horizon to compare with.
+        // Only filtered reports what decided, and only where there was a horizon to compare with.
         const auto by = std::count_if(found.flags.begin(), found.flags.end(),
                                       [](const auto& flag) { return flag.told.by.has_value(); });
         CHECK((by > 0) == (choice.kernel == "filtered"));
@@ -328,7 +328,7 @@ TEST_CASE("Curves: where double decides wrongly, the truth beside it is that of 
         for (const auto& flag : found.flags) wrong += flag.told.exact->answer == flag.decision() ? 0 : 1;
         CHECK(wrong == found.wrong_flags);
         wrong_runs += wrong > 0 ? 1 : 0;
-        // Along the path that was taken: up to the first wrong decision that is the rule's own.
+        // Along the path that was taken; up to the first wrong decision this is the rule's own path.
         for (std::size_t j = 0; j < rule.size() && found.disagreements == found.wrong_flags; ++j) {
             const Answer truth = *found.flags[j].told.exact->answer;
             CHECK(is_visible(truth) == rule[j]);

@@ -1,4 +1,4 @@
-// The quick readers of events and scenes: they read what the program writes, and never otherwise than the trees do.
+// The quick readers of events and scenes: they read what the program writes, and always agree with the trees.
 
 #include <doctest/doctest.h>
 
@@ -46,7 +46,7 @@ TraceLines traced(const auto& header, const auto& request, bool checked) {
     return {header, text};
 }
 
-/// Traces that tell every event that a run can tell: all methods, plain and checked, in numbers of every form.
+/// Traces that contain every event that a run can report: all methods, plain and checked, in numbers of every form.
 std::vector<TraceLines> traces_of_all_methods() {
     std::vector<TraceLines> traces;
     RandomScenes random(51);
@@ -70,7 +70,7 @@ std::vector<TraceLines> traces_of_all_methods() {
     return traces;
 }
 
-/// The text with one byte changed, added or left out.
+/// The text with one byte changed, added or removed.
 std::string spoiled(std::string text, std::mt19937& random) {
     constexpr std::string_view bytes = "0123456789-+.eE\",:[]{}\\/ntf \x01\x80";
     const char byte = bytes[random() % bytes.size()];
@@ -96,7 +96,7 @@ TEST_CASE("Every line of a trace is read quickly, as the tree reads it") {
             told.insert(line.substr(6, line.find('"', 6) - 6));
         }
     }
-    // All events but `skip` (the printed text alone) may be counted on; most others are there as well.
+    // Only the printed text tells `skip`. Most other events must occur.
     CHECK(told.size() > AllEvents::count * 9 / 10);
 }
 

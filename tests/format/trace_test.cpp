@@ -167,7 +167,7 @@ TEST_CASE("Read back and written again the bytes are the same, twice traced too"
 }
 
 TEST_CASE("A number is written in its shortest form, whichever way it was found") {
-    // Whole numbers and halves have a way of their own; std::to_chars says what the shortest form is.
+    // Whole numbers and halves are formatted separately; std::to_chars gives the shortest form.
     std::vector<double> numbers{99999, 99999.5, 100000, 100000.5, -99999.5, 1e-5, .1, 123456789, 1e300};
     for (int i = -3000; i <= 3000; ++i) numbers.push_back(i / 2.0);
     for (const double number : numbers) {
@@ -183,7 +183,7 @@ TEST_CASE("A number is written in its shortest form, whichever way it was found"
 }
 
 TEST_CASE("A number that was written before is written the same again") {
-    // Ten times as many numbers as are remembered, so most places are taken and taken over; from all over the doubles.
+    // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced.
     std::mt19937_64 random(1);
     std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308};
     while (numbers.size() < 10000) {
@@ -347,5 +347,5 @@ TEST_CASE("A state refuses what cannot follow") {
     CHECK(impossible(Method::zbuffer, {one, two, twice}) == "an order of other entries than AEL has");
     CHECK(impossible(Method::zbuffer, {leave}) == "an edge that is not in S");
     CHECK(impossible(Method::zbuffer, {event::Span{}}) == "a span of no polygon");
-    CHECK(impossible(Method::weiler_atherton, {event::Behind{}}) == "no list in hand");
+    CHECK(impossible(Method::weiler_atherton, {event::Behind{}}) == "no current list");
 }

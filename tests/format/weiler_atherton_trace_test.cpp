@@ -1,5 +1,4 @@
-// Weiler and Atherton's algorithm as a method of the program: its check finds what is wrong, its regions are
-// a file.
+// Weiler and Atherton's algorithm as a method of the program: its check finds wrong decisions, its regions are a file.
 
 #include <doctest/doctest.h>
 
@@ -71,7 +70,7 @@ TEST_CASE("Regions: what no run tells is refused") {
     CHECK(refused(R"("e":"pop_list","at":"WA4","clip":"B")", R"("e":"pop_list","at":"WA4","clip":"A")") ==
           "not the list on top of the stack");
     CHECK(refused(R"("e":"clipped","at":"WA5","polygon":"A")", R"("e":"clipped","at":"WA5","polygon":"B")") ==
-          "not the next polygon of the list in hand");
+          "not the next polygon of the current list");
     CHECK(refused(R"(,false]])", R"(,0]])").find("not true or false") != std::string::npos);
 }
 
@@ -94,7 +93,7 @@ TEST_CASE("Regions: under filtered and exact a check finds nothing, and under do
     CHECK(wrong_in_double > 0);
 }
 
-TEST_CASE("Regions: a wrong sign is told as a sign, and what is yes or no by its own name") {
+TEST_CASE("Regions: a wrong sign is reported as a sign, and a yes or no by its own name") {
     // B's vertex is on A's edge: 4.2 + (2.78 - .8) (4.4 - 4.2) / (4.1 - .8) = 4.2 + .12 = 4.32. Rounded, it is inside A.
     const Scene touch = SceneBuilder({0, 0, 5, 5})
                             .polygon({{4.1, 4.4, .5}, {.8, 4.2, .5}, {4, 5, .5}})
@@ -124,7 +123,7 @@ TEST_CASE("Regions as a file: polygons with their areas, exact under exact") {
     CHECK(read["format"] == "vidno-regions/1");
     CHECK(read["kernel"] == "exact");
     REQUIRE(read["regions"].size() == 2);
-    // The nearest is found first: 4 x 4 = 16; of the quad over the area 16 x 16 - 16 = 240 are left, around a hole.
+    // The nearest is found first: 4 x 4 = 16. The quad over the area keeps 16 x 16 - 16 = 240, around a hole.
     CHECK(read["regions"][0]["polygon"] == "B");
     CHECK(read["regions"][0]["area"] == "16/1");
     CHECK(read["regions"][0]["loops"].size() == 1);

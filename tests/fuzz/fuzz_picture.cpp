@@ -1,5 +1,5 @@
-/// Fuzz target: any bytes make a small scene, with coordinates from the whole range of doubles, their neighbours, and subnormal ones. What
-/// is admitted is drawn by every method and kernel. Nothing may stop the program, and `filtered` paints what `exact` paints.
+/// Fuzz target: any bytes make a small scene, with coordinates from the whole range of doubles, their neighbours, and subnormal ones.
+/// Every method and kernel draws the admitted polygons. Nothing may stop the program, and `filtered` must paint what `exact` paints.
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace vidno;
 
-/// Bytes one after the other, zeros at their end.
+/// Reads the bytes in order, and zeros after their end.
 class Bytes {
 public:
     Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -109,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!(by_windows == drawn(Method::zbuffer, "grid:4", snapped))) std::abort();
         if (!(by_windows == drawn(Method::zbuffer, "exact", snapped))) std::abort();
     } catch (const Refused&) {
-        // The grid's numbers do not hold such coordinates.
+        // Numbers on the grid cannot hold such coordinates.
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-/// Fuzz target: any bytes as a surface file are refused, or give curves that are written and read again the same.
+/// Fuzz target: any bytes as a surface file are refused, or give curves that can be written and read back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

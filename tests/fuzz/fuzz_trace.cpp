@@ -1,5 +1,5 @@
-// Any bytes as a trace: read, and applied step by step. Either is refused in words, or the state stays whole. The quick reader gives
-// the same as the tree.
+// Any bytes as a trace: read, and applied step by step. Either step refuses with a message, or the state stays consistent. The quick
+// reader agrees with the tree.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace {
 
 template <class State>
 void follow(auto& reader, const Area& area) {
-    if (std::int64_t{area.width} * area.height > 1 << 16) return;  // a large picture is no fault, only slow
+    if (std::int64_t{area.width} * area.height > 1 << 16) return;  // a large picture is not an error, only slow
     State state(reader.header());
     while (const auto event = reader.next()) state.apply(*event);
     state_json(state);

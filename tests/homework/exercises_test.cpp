@@ -1,4 +1,4 @@
-// Exercises made from a scene: as hard, and other.
+// Exercises made from a scene: equally hard, with other numbers.
 
 #include <doctest/doctest.h>
 
@@ -67,8 +67,8 @@ TEST_CASE("profile: the windows of one quad in the upper left quarter, by hand")
 }
 
 TEST_CASE("profile: rows, changes of the AEL and pixels of a quad behind another, by hand") {
-    // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad has
-    // the same 16 pixels: its depth is the same, so that it loses each of them in a tie.
+    // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad covers the same 16
+    // pixels at the same depth, so it loses each of them in a tie.
     const Scene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).quad(1, 1, 5, 5, 0).build();
     const Profile profile = profiled_run(scene, Method::zbuffer).profile;
     CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"changes of the AEL of A", 10},
@@ -88,7 +88,7 @@ TEST_CASE("profile: as hard is the same but for a tenth, and a twentieth of the 
         return profile;
     };
     CHECK(is_as_hard(original, original));
-    CHECK(is_as_hard(with(1, 43), original));        // 3 of 41 are what a twentieth, 2.05, is rounded up to
+    CHECK(is_as_hard(with(1, 43), original));        // a twentieth of 41, 2.05, is rounded up to 3
     CHECK_FALSE(is_as_hard(with(1, 44), original));  // a tenth of 40, but more than a twentieth of the whole
     CHECK_FALSE(is_as_hard(with(3, 40), original));  // 2 more than 1
     CHECK_FALSE(is_as_hard({{"line W12"}, original.counts}, original));

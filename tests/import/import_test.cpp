@@ -1,4 +1,4 @@
-/// Meshes: the same cube in every format, faces that must be cut, and files that lie about themselves.
+/// Meshes: the same cube in every format, faces that must be cut, and files with false headers.
 #include "import/import.h"
 
 #include <doctest/doctest.h>

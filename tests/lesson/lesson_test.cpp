@@ -1,4 +1,4 @@
-// Lessons: stories turned into blocks, pins found in runs, and what is said where something is wrong.
+// Lessons: stories turned into blocks, pins found in runs, and messages about errors.
 
 #include <doctest/doctest.h>
 
@@ -33,7 +33,7 @@ Story story_of(const std::string& markdown, Problems& problems) {
     return read_story("# Title\n\n" + markdown + '\n' + two_questions, "story.en.md", problems);
 }
 
-/// The first block of a story that has nothing wrong in it.
+/// The first block of a story without errors.
 Json block_of(const std::string& markdown) {
     Problems problems;
     const Story story = story_of(markdown, problems);
@@ -41,7 +41,7 @@ Json block_of(const std::string& markdown) {
     return story.blocks[0];
 }
 
-/// What is wrong in a story whose third line begins the text.
+/// The problems of a story whose third line begins the text.
 std::string problem_of(const std::string& markdown) {
     Problems problems;
     story_of(markdown, problems);
@@ -174,8 +174,8 @@ TEST_CASE("A pin objects where the run does not do what it says") {
 
 namespace {
 
-/// A lesson of which nothing is wrong, on a square that covers the left one of two pixels. One polygon is left in the root
-/// window, so that it is drawn at once: one window (W10).
+/// A lesson without errors, on a square that covers the left one of two pixels. One polygon is left in the root window, so it is
+/// drawn at once: one window (W10).
 struct SquareLesson {
     Workplace place;
     std::string folder = place.file("square");
@@ -309,7 +309,7 @@ TEST_CASE("A course is built from lessons: traces, steps of the pins, an index")
         "story": "square.lesson.json"}])"));
     CHECK(lesson.place.has("course/square.warnock.double.corrected.signs.jsonl.gz"));
     const json built = json::parse(lesson.place.read("course/square.lesson.json"));
-    // plane, call, push of the root, pop: the window is looked at at once.
+    // plane, call, push of the root, pop: the window is examined at once.
     CHECK(built["pins"]["all"]["step"] == 3);
     CHECK(built["story"]["ru"]["title"] == json::parse(R"(["Square"])"));
 }

@@ -1,4 +1,4 @@
-/// Which polygons are taken, decided exactly. Tests read as examples: a polygon is given by its corners.
+/// Which polygons are admitted, decided exactly. A polygon is given by its corners.
 #include "vidno/admission.h"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ std::string verdict(std::vector<glm::dvec3> vertices) {
     return std::string(reason_of(admitted.admission));
 }
 
-/// The same outline begun at each vertex, in both directions.
+/// The same outline started at each vertex, in both directions.
 std::vector<std::vector<glm::dvec3>> turned(std::vector<glm::dvec3> vertices) {
     std::vector<std::vector<glm::dvec3>> all;
     for (int way = 0; way < 2; ++way) {
@@ -75,9 +75,9 @@ TEST_CASE("what is not convex or goes round otherwise than once is refused") {
     check_all("not convex", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
     // A bow-tie: the turns differ in sign.
     check_all("not convex", {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}});
-    // A pentagram: five turns of one sign, but it goes round twice, so the direction flips four times.
+    // A pentagram: five turns of one sign, but it winds around twice, so the direction flips four times.
     check_all("not convex", {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}});
-    // A square gone round twice.
+    // A square traversed twice.
     check_all("not convex", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
     // Spikes: out of a corner, out of a side, and back along a side.
     check_all("not convex", {{0, 0, 0}, {3, 0, 0}, {2, 0, 0}, {0, 2, 0}});
@@ -102,8 +102,8 @@ TEST_CASE("edge-on is decided exactly, whatever the order of the vertices") {
 
 TEST_CASE("planar within 2^-40 of the extent") {
     // The square with corners (0,0), (1,0), (1,1), (0,1) and one corner raised by 4h. Newell's sum about the first is
-    // a = -4h, b = -4h, c = 2 to first order for the corner (1,1): the plane z = 2h (x + y) passes 2h below or above
-    // the corners (1,0), (0,1), and (1,1) by nothing. So 2h against 2^-40: h = 2^-41 is the limit, but for 1 + 8 h^2.
+    // a = -4h, b = -4h, c = 2 to first order for the corner (1,1). The plane z = 2h (x + y) passes 2h below or above the corners (1,0)
+    // and (0,1), and through (1,1). So 2h is compared with 2^-40: h = 2^-41 is the limit, up to a factor of 1 + 8 h^2.
     const auto raised = [](double h) {
         return std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}};
     };
@@ -132,7 +132,7 @@ TEST_CASE("a vertex reflex by at most 2^-40 of the extent is dropped") {
         }
     }
     check_all("not convex", dented(std::nextafter(0x1p-40, 1.0)));
-    check_all("admitted", dented(-0x1p-30));  // outwards it is no dent
+    check_all("admitted", dented(-0x1p-30));  // outwards it is not a dent
 }
 
 TEST_CASE("many vertices reflex by rounding are dropped, but no deep dent is dug away bit by bit") {

@@ -15,7 +15,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// The neighbours of a positive value among the numbers of so many bits, and which of them is nearer: by rationals.
+/// The neighbours of a positive value among the numbers with a given number of bits, and which of them is nearer, by rationals.
 double nearest_with_bits(int bits, const Rational& value) {
     const double about = CGAL::to_double(value);
     const double step = std::ldexp(1, std::ilogb(about) + 1 - bits);
@@ -51,7 +51,7 @@ TEST_CASE("Each operation is the exact one, rounded once") {
     for (int i = 0; i < 20000; ++i) {
         const int bits = fewest_bits + int(random() % (most_bits - fewest_bits + 1));
         const Bits kernel(bits);
-        // Few different exponents, so that sums carry, cancel and tie.
+        // Few different exponents, so that sums often carry, cancel and tie.
         const auto any = [&] { return kernel.number(std::ldexp(1 + random() % 4096, int(random() % 30) - 15)); };
         const Rounded a = any();
         const Rounded b = any();

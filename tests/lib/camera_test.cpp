@@ -1,4 +1,4 @@
-/// From the world to the screen, with every place worked out by hand.
+/// From the world to the screen, with every place computed by hand.
 #include "vidno/camera.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// The Warnock family: relations on cases worked out by hand and against their definition, the variants' pictures against brute
-// force in exact rationals, the lists of the full variant against what they should hold.
+// The Warnock family: relations on cases computed by hand and against their definition, the variants' pictures against brute force in
+// exact rationals, the lists of the full variant against what they should hold.
 
 #include "vidno/family/family.h"
 
@@ -24,7 +24,7 @@ const Window window{4, 4, 4, 4};
 
 Scene scene_of(const Corners& vertices) { return SceneBuilder(area_16).polygon(vertices).build(); }
 
-/// The relation to the window by both containment tests, and with the polygon gone round the other way.
+/// The relation to the window by both containment tests, and with the vertices in reverse order.
 template <class K>
 void check_relation(const Corners& vertices, Relation expected) {
     for (const bool reversed : {false, true}) {
@@ -65,13 +65,13 @@ TEST_CASE_TEMPLATE("Relation: what touches a side from without is outside, from 
 TEST_CASE_TEMPLATE("Relation: an outline along the sides surrounds", K, VIDNO_KERNELS) {
     check_relation<K>(rectangle(4, 4, 8, 8), Relation::surrounding);
     check_relation<K>(rectangle(4, 3, 8, 12), Relation::surrounding);
-    // The line x + y = 8 holds the upper left corner, and no more of the window.
+    // The line x + y = 8 contains the upper left corner and no other point of the window.
     check_relation<K>({{8, 0, 0}, {20, 12, 0}, {12, 20, 0}, {0, 8, 0}}, Relation::surrounding);
     check_relation<K>({{8, 0, 0}, {0, 8, 0}, {0, 0, 0}}, Relation::outside);
 }
 
 TEST_CASE_TEMPLATE("Relation: around a corner, where the box cannot tell", K, VIDNO_KERNELS) {
-    // x + y = 7 passes by the upper left corner, where x + y = 8; x + y = 9 does not.
+    // x + y = 7 misses the window beyond the upper left corner, where x + y = 8; x + y = 9 meets it.
     check_relation<K>({{7, 0, 0}, {0, 7, 0}, {0, 0, 0}}, Relation::outside);
     check_relation<K>({{9, 0, 0}, {0, 9, 0}, {0, 0, 0}}, Relation::intersecting);
     check_relation<K>({{17, 0, 0}, {0, 17, 0}, {0, 0, 0}}, Relation::surrounding);
@@ -284,7 +284,7 @@ TEST_CASE_TEMPLATE("The variants paint a scene in which nothing rounds alike und
 
 namespace {
 
-/// Windows taken from the stack, and relations found out.
+/// Windows taken from the stack, and relations determined.
 struct CountSteps : NoTrace {
     struct Counts {
         int windows = 0, relations = 0;
@@ -305,7 +305,7 @@ CountSteps::Counts steps_of(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("Simplest: a small polygon is looked for down to its pixel") {
-    // Of 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box lies.
+    // On 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box lies.
     const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(1.25, 1.25, 1.75, 1.75, 0).build();
     CHECK(steps_of<family::Simplest>(scene).windows == 1 + 4 + 4);
     CHECK_MESSAGE(steps_of<family::Full>(scene).windows == 1, "alone, it is drawn");
@@ -320,9 +320,9 @@ TEST_CASE("Simplest: even a window that one polygon surrounds is split") {
 // ------------------------------------------------------------------------------------- three lists
 
 TEST_CASE("Three lists: the near square before the far quad") {
-    // The far quad surrounds the first window: it is tested once. The square intersects windows that hold a part of its outline
-    // and no other: those of the first level, 4 of 8 x 8, with a corner of it, their parts of 4 x 4 touch its sides at most, for
-    // it goes from 4 to 12: either it surrounds one or is outside. 1 + 4 + 16 windows, tests of the square in each.
+    // The far quad surrounds the first window, so it is tested once. The square intersects only windows that hold a part of its outline:
+    // the 4 of 8 x 8 on the first level, each with a corner of it. Their parts of 4 x 4 at most touch its sides, since it goes from 4 to
+    // 12, so it surrounds each of them or is outside. 1 + 4 + 16 windows, with a test of the square in each.
     const Scene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
     const auto steps = steps_of<family::Full>(scene);
     CHECK(steps.windows == 1 + 4 + 16);
@@ -331,7 +331,7 @@ TEST_CASE("Three lists: the near square before the far quad") {
 
 namespace {
 
-/// Keeps the lists as the events tell them, and holds each window's against the definition.
+/// Keeps the lists that the events describe, and compares those of each window with the definition.
 struct WatchLists : NoTrace {
     struct Lists {
         const Scene* scene;
@@ -411,7 +411,7 @@ std::vector<Window> split_at_vertex(const Scene& scene, const Window& of) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("VertexSplit: at the pixel boundaries next to the first vertex in the window", K, VIDNO_KERNELS) {
-    // (5.25, 6.75) is next to the boundaries x = 5 and y = 7; half a pixel off, the boundary before is meant.
+    // (5.25, 6.75) is next to the boundaries x = 5 and y = 7. A vertex halfway between two boundaries takes the smaller one.
     const auto parts = split_at_vertex<K>(scene_of({{5.25, 6.75, 0}, {14, 20, 0}, {2, 20, 0}}), {0, 0, 16, 16});
     CHECK(parts == std::vector<Window>{{0, 0, 5, 7}, {0, 7, 5, 9}, {5, 0, 11, 7}, {5, 7, 11, 9}});
     const auto half = split_at_vertex<K>(scene_of({{5.5, 6.5, 0}, {14, 20, 0}, {2, 20, 0}}), {0, 0, 16, 16});
@@ -421,7 +421,7 @@ TEST_CASE_TEMPLATE("VertexSplit: at the pixel boundaries next to the first verte
 TEST_CASE_TEMPLATE("VertexSplit: a boundary that is a side of the window does not split", K, VIDNO_KERNELS) {
     const auto across = split_at_vertex<K>(scene_of({{5, .25, 0}, {14, 20, 0}, {2, 20, 0}}), {0, 0, 16, 16});
     CHECK(across == std::vector<Window>{{0, 0, 5, 16}, {5, 0, 11, 16}});
-    // Next to a corner it would not split at all: the next vertex does.
+    // A vertex next to a corner would not split the window, so the next vertex does.
     const auto next = split_at_vertex<K>(scene_of({{.25, .25, 0}, {9, 3, 0}, {2, 20, 0}}), {0, 0, 16, 16});
     CHECK(next == std::vector<Window>{{0, 0, 9, 3}, {0, 3, 9, 13}, {9, 0, 7, 3}, {9, 3, 7, 13}});
 }
@@ -436,7 +436,7 @@ TEST_CASE_TEMPLATE("VertexSplit: without a vertex in the window, in the middle",
 }
 
 TEST_CASE("VertexSplit: fewer windows where a corner lies beside the middle") {
-    // Split at (3, 3), the four parts are plain. In the middle of 16, and of 8 and 4, the corner always is in one part.
+    // Split at (3, 3), the four parts are simple. Split in the middle of 16, and of 8 and 4, the corner always is in one part.
     const Scene scene = SceneBuilder(area_16).quad(3, 3, 20, 20, .5).quad(-1, -1, 17, 17, 0).build();
     CHECK(steps_of<family::AtVertex>(scene).windows == 1 + 4);
     CHECK(steps_of<family::Full>(scene).windows > 1 + 4 + 4);
@@ -556,7 +556,7 @@ TEST_CASE("What is no closed convex body is refused, with the polygon that shows
     }
     CHECK(reason(bent).find("is not planar to the last digit") != std::string::npos);
 
-    // Two tetrahedra with a common face, which is taken out: what remains has a reflex edge.
+    // Two tetrahedra without their common face: the resulting body has a reflex edge.
     const glm::dvec3 a{4, 4, 0}, b{12, 4, 0}, c{8, 12, 0};
     Faces notched;
     for (const auto& half : {tetrahedron(a, b, c, {8, 6, .5}), tetrahedron(a, b, c, {8, 30, -.5})}) {

@@ -1,4 +1,4 @@
-// The kernel `filtered`: its bounds hold, and where they cannot decide it decides right.
+// The kernel `filtered`: its bounds hold, and its decisions are right where the bounds cannot decide.
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// A double and what it stands for, computed alongside.
+/// A double and the exact value that it approximates, computed alongside.
 struct Shadowed {
     Bounded bounded;
     Rational exact;
@@ -45,7 +45,7 @@ int wrong_pixels(Method method, const Scene& scene, auto kernel, const Picture& 
 }  // namespace
 
 TEST_CASE("Bounded: the exact result of a formula lies within the bound") {
-    // Chains of random operations; small whole numbers make cancellation and division by next to nothing common.
+    // Chains of random operations; small whole numbers make cancellation and division by nearly zero common.
     std::mt19937 random(5);
     const auto any = [&] {
         const double whole = int(random() % 9) - 4;
@@ -95,8 +95,8 @@ TEST_CASE("Orientation: right on the published maps, where double is not") {
     }
 }
 
-TEST_CASE("Depths that tie in doubles are told apart") {
-    // At x = 1 - 2^-5 the one plane is at 1/4, the other lower by 2^-54 * 2^-5: no double near 1/4 shows it.
+TEST_CASE("Depths that tie in doubles are distinguished") {
+    // At x = 1 - 2^-5 one plane is at 1/4, the other lower by 2^-54 * 2^-5, which no double near 1/4 can show.
     Stage<Filtered> stage(SceneBuilder({0, 0, 1, 1})
                               .quad(0, 0, 1, 1, .25)
                               .polygon({{0, 0, .25 - 0x1p-54}, {1, 0, .25}, {1, 1, .25}, {0, 1, .25 - 0x1p-54}})
@@ -142,8 +142,8 @@ TEST_CASE("Depths that a cell of the Z-buffer does not tell apart") {
 }
 
 TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is drawn right") {
-    // The triangle is next to nothing but its edge from (0, 0) to (8, 8), which passes through the centres of the diagonal
-    // and rises from -1 to 1: before the quad at 0 from the fifth pixel on.
+    // The triangle is hardly more than its edge from (0, 0) to (8, 8), which passes through the centres of the diagonal and rises from -1
+    // to 1. From the fifth pixel on it is in front of the quad at 0.
     const Scene scene =
         SceneBuilder({0, 0, 8, 8}).quad(0, 0, 8, 8, 0).polygon({{0, 0, -1}, {8, 8, 1}, {4, 4 + 0x1p-50, .5}}).build();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
@@ -159,8 +159,8 @@ TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is dra
 }
 
 TEST_CASE("A window's corner that an edge passes through by chance") {
-    // The edge from (8 - 2^-50, -5) to (8 + 2^-49, -14) crosses y = -8 at x = 8, the window's own left side: the vertex that
-    // the top side makes lies on the left side, which no double of it shows.
+    // The edge from (8 - 2^-50, -5) to (8 + 2^-49, -14) crosses y = -8 at x = 8, the left side of the window. So the vertex cut by the
+    // top side lies exactly on the left side, which doubles cannot show.
     Stage<Filtered> stage(SceneBuilder({8, -8, 2, 2})
                               .polygon({{8 + 0x1p-49, -14, 0}, {9, -14, 0}, {9, -5, 0}, {8 - 0x1p-50, -5, 0}})
                               .build());

@@ -1,5 +1,5 @@
 // The procedures of the floating horizon on cases computed by hand, over all kernels, and against the rule by brute force.
-// y grows downward: of two curves that with the smaller y is above.
+// y grows downward: a curve with a smaller y is above.
 
 #include "vidno/floating_horizon.h"
 
@@ -34,7 +34,7 @@ Lines in_doubles(const auto& lines) {
     return drawn;
 }
 
-/// Of the last curve of a scene.
+/// The visible lines of the last curve of a scene.
 template <class K, class Set = CorrectedFloatingHorizon>
 Lines last_lines(const CurveScene& scene) {
     Lines drawn = in_doubles(visible_lines<Set>(scene, K{}).lines);
@@ -63,7 +63,7 @@ CurveScene behind_an_edge(int left) {
         .build();
 }
 
-/// A run whose horizons a scene has raised: to call one procedure of it and look at what it gives.
+/// A run whose horizons a scene has raised, for calling single procedures.
 template <class K>
 struct FloatingHorizonStage {
     CurveScene scene;
@@ -254,7 +254,7 @@ TEST_CASE_TEMPLATE("No curves: no lines, no horizons", K, VIDNO_HORIZON_KERNELS)
 
 namespace {
 
-/// The lines of the listing in the order in which the run names them.
+/// The labels of the listing's lines, in the order of the run's events.
 struct HearLabels : NoTrace {
     std::string* heard;
     explicit HearLabels(std::string& to) : heard(&to) {}
@@ -288,7 +288,7 @@ TEST_CASE("A run tells each line of the listing that it comes to") {
 
 namespace {
 
-/// Of each curve, whether it is found visible over its columns.
+/// For each curve, whether it is found visible over its columns.
 struct HearVisibility : NoTrace {
     std::vector<std::vector<bool>>* heard;
     explicit HearVisibility(std::vector<std::vector<bool>>& to) : heard(&to) {}
@@ -329,7 +329,7 @@ void check_horizons(const auto& horizons, const FloatingHorizonReference& refere
     }
 }
 
-/// The exact lines are the parts of the rule, cut at samples, none twice.
+/// Checks that the exact lines are the parts of the rule, cut at samples, none twice.
 void check_lines(const auto& lines, const FloatingHorizonReference& reference, const CurveScene& scene) {
     std::vector<std::vector<FloatingHorizonReference::Interval>> drawn(scene.curves.size());
     for (const auto& [segment, from, to] : lines) {
@@ -350,7 +350,7 @@ void check_lines(const auto& lines, const FloatingHorizonReference& reference, c
     }
 }
 
-/// The same ends but for rounding, less than is to be seen and within the bound; which columns they are next to is the same.
+/// Checks that the ends differ only by rounding, invisibly and within the bound, and are next to the same columns.
 void check_same_lines(const auto& filtered, const auto& exact) {
     REQUIRE(filtered.size() == exact.size());
     const auto near = [](const Bounded& a, const Rational& b) {
@@ -429,12 +429,12 @@ TEST_CASE("Filtered asks for exact arithmetic where heights are nearly equal, an
         return exact;
     };
     CHECK(asked({{0, 2.5}, {7, 9.1}, {12, 14.5}}) == 0);
-    // At x = 3 it is at 3 + 3/3 = 4, which no sum of bounds tells from the horizon's 4.
+    // At x = 3 it is at 3 + 3/3 = 4, which no bound distinguishes from the horizon's 4.
     CHECK(asked({{0, 3}, {9, 6}}) > 0);
 }
 
 TEST_CASE("Heights that overflow are compared all the same") {
-    // From -1.5 * 2^1023 to 1.5 * 2^1023 is more than any double; halfway it is at 0, and hidden.
+    // From -1.5 * 2^1023 to 1.5 * 2^1023 is a longer way than any double holds; halfway the curve is at 0, and hidden.
     const double far = 0x1.8p1023;
     const auto scene = CurveSceneBuilder({0, 0, 5, 8})
                            .curve({{0, 1}, {4, 1}})
@@ -512,8 +512,8 @@ TEST_CASE_TEMPLATE("X-H1: what is below at both ends is not drawn, and lowers no
 }
 
 TEST_CASE_TEMPLATE("X-H2: what emerges below is cut by the upper horizon", K, VIDNO_PRINTED_KERNELS) {
-    // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so that the cut is the end of the step: the next column, or as
-    // printed the next sample.
+    // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so the cut is at the end of the step: the next column or, as printed, the
+    // next sample.
     const auto scene = between_4_and_12({{0, 9.5}, {8, 17.5}});
     CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
     CHECK(last_lines<K, OnlyXH2>(scene) == Lines{{2, 3, 12.5, 8, 17.5}});
@@ -549,7 +549,7 @@ TEST_CASE_TEMPLATE("X-H5: a peak between two samples hides nothing", K, VIDNO_PR
 
 TEST_CASE_TEMPLATE("X-H6: from where both horizons meet to below them is taken for a crossing", K,
                    VIDNO_PRINTED_KERNELS) {
-    // The lower horizon is reached over both columns: there is no change, and the line begins at the second.
+    // The curve reaches the lower horizon over both columns, so there is no change, and the line begins at the second.
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).curve({{0, 8}, {8, 16}}).build();
     CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 8, 8, 16}});
     CHECK(last_lines<K, OnlyXH6>(scene) == Lines{{1, 0, 8, 0, 8}, {1, 1, 9, 8, 16}});

@@ -1,4 +1,4 @@
-// The kernel `grid`: what snapping does, and that a snapped scene is painted right.
+// The kernel `grid`: the effect of snapping, and that a snapped scene is painted right.
 
 #include <doctest/doctest.h>
 
@@ -87,8 +87,8 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
 }
 
 TEST_CASE("At the widest that fits, ties and slivers are decided all the same") {
-    // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes are one in all but a step of z, and the sliver's
-    // sides run a step apart through centres.
+    // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes differ by one step of z, and the sliver's sides, one step apart,
+    // pass through centres.
     const double step = 0x1p-20;
     const double deep = 0x1p-24;
     const Scene scene = SceneBuilder({0, 0, 8, 8})

@@ -1,4 +1,4 @@
-// What does not change the scene does not change the picture.
+// Transformations that do not change the scene do not change the picture.
 
 #include <doctest/doctest.h>
 
@@ -50,7 +50,7 @@ TEST_CASE("Polygons in another order, where no two depths tie") {
     RandomScenes random(3);
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
-        // Levels of their own: no ties.
+        // Each polygon is at its own depth, so there are no ties.
         SceneBuilder builder(random.area());
         const auto area = builder.build().area;
         for (int level = 0; level < 5; ++level) {
@@ -76,7 +76,7 @@ TEST_CASE("The scene shifted by whole pixels") {
     });
 }
 
-TEST_CASE("The scene scaled by two: pixels doubled and looked at between their centres") {
+TEST_CASE("The scene scaled by two: pixels doubled and sampled between their centres") {
     // A pixel centre of the scene, (i + 1/2, j + 1/2), becomes a corner of four pixels; shifted by half a pixel it is the
     // centre of the pixel (2i, 2j) of an area of twice the size.
     on_random_scenes(5, [](const Scene& scene) {

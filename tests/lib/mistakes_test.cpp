@@ -1,5 +1,5 @@
-// The usual mistakes: each paints its witness of the atlas wrongly, as worked out here by hand, paints what it cannot spoil
-// rightly, and ends on every scene.
+// The usual mistakes: each paints its witness of the atlas wrong, as computed here by hand, paints the scenes that it does not affect
+// right, and ends on every scene.
 
 #include <doctest/doctest.h>
 
@@ -29,7 +29,7 @@ std::vector<Deviation> all_mistakes() {
     return mistakes;
 }
 
-/// What the mistake paints, by a method and under a kernel that run it.
+/// The picture that the mistake paints, by a method and under a kernel that run it.
 void for_each_picture(Deviation mistake, const Scene& scene, auto&& look) {
     int looked = 0;
     for (std::size_t place = 0; place < method_names.size(); ++place) {
@@ -65,7 +65,7 @@ Color color_of(const Scene& scene, const std::string& id) {
     return found == scene.polygons.end() ? scene.background : found->color;
 }
 
-/// The witness is right but for these pixels.
+/// Checks that the witness is right except at these pixels.
 void check_witness(Deviation mistake, std::initializer_list<Wrong> wrong) {
     const std::string name(choice_of(mistake).mistake);
     CAPTURE(name);
@@ -101,8 +101,8 @@ Scene two_squares(double first_z, double second_z) {
 }  // namespace
 
 TEST_CASE("One list: what the first part removes is missing in the last") {
-    // Of the four windows of 1 x 1 the lower right one is on top of the stack. A ends at x = 0.75, left of it, and leaves the
-    // list; it holds the centre (1/2, 1/2), where at x = 3/4 (1 - 1/4) = 9/16 its side passes.
+    // The lower right one of the four windows of 1 x 1 is on top of the stack. A ends at x = 0.75, left of it, and leaves the list. It
+    // holds the centre (1/2, 1/2): its side passes there at x = 3/4 (1 - 1/4) = 9/16.
     check_witness(Deviation::one_list, {{0, 0, ""}});
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("Clip order reversed: a polygon inside the window is not clipped") {
 TEST_CASE("y flipped: row 0 is at the bottom") {
     // The centre (1/2, 1/2) is held; upside down (0, 2), (2, 2), (0, 1) holds (1/2, 3/2).
     check_witness(Deviation::y_flipped, {{0, 0, ""}, {0, 1, "A"}});
-    // The area's own middle is what the picture is turned about: y becomes 20 + 24 - y.
+    // The picture is flipped about the middle of the area: y becomes 20 + 24 - y.
     const Scene moved = SceneBuilder({7, 20, 3, 4}).quad(7, 20, 9, 21, 0).build();
     for_each_picture(Deviation::y_flipped, moved, [&](const Picture& painted, const auto&) {
         CHECK(painted == Reference(SceneBuilder({7, 20, 3, 4}).quad(7, 23, 9, 24, 0).build()).picture());
@@ -179,7 +179,7 @@ TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both
     });
 }
 
-TEST_CASE("Integer division: of three columns two are looked at") {
+TEST_CASE("Integer division: only two of three columns are examined") {
     // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
     check_witness(Deviation::integer_division, {{2, 0, ""}});
     // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.
@@ -207,13 +207,13 @@ TEST_CASE("Surround kept: with the near polygon first there is nothing to take b
 }
 
 TEST_CASE("Vertex counted twice: what a ray leaves through a vertex is taken to be outside") {
-    // The ray from (1/2, 1/2) meets the outline of A in the vertex (3, 1/2) alone, where it is pierced. The outline is around the
-    // window: on x = 1 it is at y = -1/4 and y = 5/4.
+    // The ray from (1/2, 1/2) meets the outline of A only in the vertex (3, 1/2), and pierces it there. The outline surrounds the window:
+    // at x = 1 it is at y = -1/4 and y = 5/4.
     check_witness(Deviation::vertex_counted_twice, {{0, 0, ""}});
 }
 
 TEST_CASE("Vertex counted twice: a ray that meets edges alone, or touches, is counted right") {
-    // The heights of vertices are no multiples of 1/2, as those of all windows' centres are.
+    // The heights of vertices are not multiples of 1/2; those of all windows' centres are.
     check_harmless(Deviation::vertex_counted_twice,
                    SceneBuilder(area_16).quad(-1, -1.25, 17, 17.25, 0).quad(2, 3.75, 12, 9.25, .5).build());
     // From the centre (4, 4) of the upper left quarter the ray touches the vertex of the triangle, (12, 4).
@@ -233,8 +233,8 @@ TEST_CASE("Octants not split: edges along the axes are never seen under half of 
 }
 
 TEST_CASE("Line for edge: windows are split in vain, and the picture is right") {
-    // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). Taken to be two,
-    // the polygons have the window split into its four pixels, where A alone is drawn at once.
+    // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). With both polygons the window
+    // is split into its four pixels; A alone would be drawn at once.
     check_witness(Deviation::line_for_edge, {});
     const Scene scene = witness("line-for-edge");
     CHECK(windows_of<mistakes::LineForEdge>(scene) == 1 + 4);
@@ -263,7 +263,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Every mistake ends on every scene, and is told as it is painted") {
+TEST_CASE("Every mistake ends on every scene, and its trace agrees with its picture") {
     RandomScenes random(20261122);
     std::map<Deviation, int> differing, harmless;
     for (int i = 0; i < 40; ++i) {

@@ -15,7 +15,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// Records, and holds the run's horizons against the rebuilt ones whenever they may have changed.
+/// Records, and compares the run's horizons with the rebuilt ones whenever they may have changed.
 template <class K>
 class CompareHorizons : public RebuildingRecorder<K, FloatingHorizonState> {
     using Base = RebuildingRecorder<K, FloatingHorizonState>;

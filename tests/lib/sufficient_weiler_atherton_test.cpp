@@ -14,7 +14,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
+/// Records, and compares the procedure's own lists with the rebuilt ones wherever an event shows them.
 template <class K>
 class CompareRegions : public RebuildingRecorder<K, State> {
     using Base = RebuildingRecorder<K, State>;
@@ -28,7 +28,7 @@ public:
         compare(pieces, rebuilt_->state.facets());
     }
     void push_list(Line at, const auto& pieces) {
-        // What is outside is pushed before what is inside is looked at; it has been told piece by piece.
+        // The outside list is pushed before the inside one is examined; its pieces have already been reported.
         if (at == Line::WA6) compare(pieces, rebuilt_->state.list_in_hand()->outside);
         Base::push_list(at, pieces);
         compare(pieces, rebuilt_->state.lists().back());
@@ -67,7 +67,7 @@ Scene cycle() {
 
 }  // namespace
 
-// Not under `filtered`: it may tell a number twice, more precisely the second time.
+// Not under `filtered`, which may report a number twice, more precisely the second time.
 TEST_CASE_TEMPLATE(
     "Sufficient: lists, facets and what is visible of regions, rebuilt from the events, are the run's own", K, Float,
     Double, Exact) {

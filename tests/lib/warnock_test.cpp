@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("ProcessWindow: a single polygon inside the window", K, VIDNO
 }
 
 TEST_CASE_TEMPLATE("Warnock: the near square before the far quad", K, VIDNO_KERNELS) {
-    // 149 windows: an independent run of the procedure in exact fractions counted them (procedures' table, X-W1).
+    // An independent run of the procedure in exact fractions counted 149 windows (procedures' table, X-W1).
     const Scene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
     int windows = 0;
     const Picture picture = render(Method::warnock, scene, K{}, CountWindows(windows));

@@ -41,7 +41,7 @@ struct HearPassages : NoTrace {
     void leave(Line, const auto& p) { left->emplace_back(as_double(p.x), as_double(p.y)); }
 };
 
-/// A run at hand: to call one procedure of it and look at what it gives.
+/// A run for calling single procedures.
 template <class K>
 struct WeilerAthertonStage {
     Scene scene;
@@ -88,7 +88,7 @@ std::vector<int> places_of(const auto& pieces) {
     return places;
 }
 
-/// A square of 8 x 8 and what lies to it in each way that one can touch another.
+/// A square of 8 x 8, and regions that touch it in every possible way.
 const Corners square{{2, 2, 0}, {10, 2, 0}, {10, 10, 0}, {2, 10, 0}};
 
 struct Contact {
@@ -201,7 +201,7 @@ TEST_CASE("InsertionSort: in order and stable, and what is no number stays in it
     insertion_sort(items, [](const auto& a, const auto& b) { return a.first < b.first; });
     CHECK(items == std::vector<std::pair<int, char>>{{1, 'a'}, {1, 'b'}, {2, 'a'}, {2, 'b'}});
 
-    // Nothing is before NaN, and it before nothing: 1 does not pass it, nor 2 the 1 behind it.
+    // Nothing compares as nearer than NaN, nor NaN as nearer than anything: 1 does not pass it, and 2 does not pass the 1 behind it.
     std::vector<double> numbers{3, std::nan(""), 1, 2};
     std::vector<double> asked;
     insertion_sort(numbers, [&](double a, double b) {
@@ -229,7 +229,7 @@ TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of
 
 TEST_CASE_TEMPLATE("RemoveBehind: what is nearer stays, of coplanar ones the first of the scene", K,
                    VIDNO_REGION_KERNELS) {
-    // All over the same square. The third meets the clip polygon along x = 2 and is before it elsewhere, the fourth behind.
+    // All lie over the same square. The third meets the clip polygon along x = 2 and is in front of it elsewhere, the fourth is behind.
     WeilerAthertonStage<K> stage(SceneBuilder(area_16)
                                      .quad(2, 2, 10, 10, .5)
                                      .quad(2, 2, 10, 10, .5)
@@ -274,7 +274,7 @@ TEST_CASE_TEMPLATE("A near square leaves a ring of the far quad", K, VIDNO_REGIO
 }
 
 TEST_CASE_TEMPLATE("What is sorted last may be in front", K, VIDNO_REGION_KERNELS) {
-    // The tilted quad, z = x / 16, reaches z = 1 and is sorted first. It is before the square at x >= 12, and behind it at x <= 4.
+    // The tilted quad, z = x / 16, reaches z = 1 and is sorted first. It is in front of the square at x >= 12, and behind it at x <= 4.
     const Corners tilted{{0, 0, 0}, {16, 0, 1}, {16, 16, 1}, {0, 16, 0}};
     CHECK(visible_areas<K>(SceneBuilder(area_16).quad(12, 4, 16, 8, .5).polygon(tilted).build()) ==
           std::map<int, double>{{1, 256}});
@@ -360,7 +360,7 @@ TEST_CASE_TEMPLATE("The picture: outlines through centres belong to the nearest,
 
 namespace {
 
-/// The lines of the listing in the order in which the run names them.
+/// The labels of the listing's lines, in the order of the run's events.
 struct HearLabels : NoTrace {
     std::string* heard;
     explicit HearLabels(std::string& to) : heard(&to) {}
@@ -384,8 +384,8 @@ struct HearLabels : NoTrace {
 }  // namespace
 
 TEST_CASE("A run tells each line of the listing that it comes to") {
-    // The second is sorted first, for it rises to z = 1/2 at x = 2, yet the first is nearer where it is, over x <= 1. So a list with
-    // both is made of what is inside the second one's outline; what the first leaves of the second is a list of its own.
+    // The second is sorted first, since it rises to z = 1/2 at x = 2, yet the first is nearer where it lies, over x <= 1. So the part
+    // inside the second one's outline becomes a list with both, and the rest of the second outside the first becomes a separate list.
     // Their planes meet at x = 3/2, where the first is not, so they need not be clipped for that.
     std::string heard;
     const Scene scene = SceneBuilder({0, 0, 2, 1})
@@ -430,9 +430,9 @@ bool holds_point(const auto& outlines, const Rational& x, const Rational& y) {
 
 constexpr double sample_step = 0x1p-20;
 
-/// At some random points of the area there is one region, that of the polygon which the rule shows there.
+/// Checks that random points of the area lie in exactly one region, that of the polygon which the rule shows there.
 void check_samples(const auto& regions, const Scene& scene, const Reference& reference, std::mt19937& random) {
-    // Odd multiples, so that level and upright edges pass between them.
+    // Odd multiples, so that level and vertical edges pass between them.
     const auto between = [&](int low, int size) {
         return low + int(random() % unsigned(size << 19)) * 0x1p-19 + sample_step;
     };
@@ -598,13 +598,13 @@ TEST_CASE("Filtered asks for exact arithmetic where there are coincidences, and 
         visible_regions(scene, FilteredBy(CountExact{&exact}));
         return exact;
     };
-    // Three outlines that cross, one over the other; in tenths, which doubles do not have.
+    // Three outlines that cross, one over the other, in tenths, which doubles cannot represent.
     CHECK(asked(SceneBuilder(area_16)
                     .polygon({{1.1, 1.3, .11}, {14.7, 3.1, .17}, {5.7, 13.7, .13}})
                     .polygon({{14.9, 1.7, .73}, {2.3, 4.3, .79}, {9.7, 15.1, .87}})
                     .polygon({{2.9, 2.1, .41}, {9.1, 14.3, .47}, {15.3, 7.7, .31}})
                     .build()) == 0);
-    // The same, and one whose edge passes through the place where edges of the first two cross, but for rounding.
+    // The same, and one whose edge passes, up to rounding, through the point where edges of the first two cross.
     const auto crossing = [](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, const glm::dvec3& s) {
         const double height = (s.x - r.x) * (p.y - r.y) - (s.y - r.y) * (p.x - r.x);
         const double t = height / ((s.y - r.y) * (q.x - p.x) - (s.x - r.x) * (q.y - p.y));

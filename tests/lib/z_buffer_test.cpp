@@ -16,7 +16,7 @@ struct AelRow {
     bool operator==(const AelRow&) const = default;
 };
 
-/// Writes down AEL as it stands when the pairs are shown.
+/// Notes the contents of AEL when the pairs are shown.
 struct WatchAel : NoTrace {
     std::vector<AelRow>* rows;
     explicit WatchAel(std::vector<AelRow>& to) : rows(&to) {}
@@ -30,7 +30,7 @@ struct WatchAel : NoTrace {
     }
 };
 
-/// AEL never holds anything but two entries on a row of a convex polygon.
+/// Checks that AEL always holds two entries on a row of a convex polygon.
 struct ExpectPairs : NoTrace {
     int* others;
     explicit ExpectPairs(int& count) : others(&count) {}

@@ -1,4 +1,4 @@
-// Margins: in exact arithmetic, and by the signs' own geometry: vertices, and points where edges meet the window's sides.
+// Margins, checked in exact arithmetic against the geometry of the signs: vertices, and points where edges meet the window's sides.
 
 #include "margin/margin.h"
 
@@ -50,10 +50,10 @@ std::vector<HalfPlane> lines_of(const Margin& margin) {
     return lines;
 }
 
-/// A call that asks for signs: its events, with their steps.
+/// A call that tests signs: its events, with their steps.
 struct Course {
     Procedure procedure{};
-    std::optional<PolygonPlace> polygon;  // none: it asks for no sign
+    std::optional<PolygonPlace> polygon;  // none: it tests no sign
     std::vector<std::pair<std::uint64_t, Event>> events;
 
     using Signs = std::map<std::uint64_t, Sign>;
@@ -103,7 +103,7 @@ struct Course {
     }
 };
 
-/// The calls of a run that ask for signs.
+/// The calls of a run that test signs.
 std::vector<Course> courses_of(const RunRequest& asked) {
     static const std::set<Procedure> with_signs{Procedure::surround_test, Procedure::polygon_clip,
                                                 Procedure::trial_function, Procedure::ray_crossings,
@@ -134,7 +134,7 @@ std::vector<Course> courses_of(const RunRequest& asked) {
     return courses;
 }
 
-/// Where other lines leave a line: from `low` to `high` along it.
+/// The part of a line that other lines leave: from `low` to `high` along it.
 struct Part {
     std::optional<Rational> low, high;
 
@@ -148,7 +148,7 @@ struct Part {
 }  // namespace
 
 TEST_CASE("The edges of a triangle and a point: the half-planes are worked out by hand") {
-    // SurroundTest asks the corners of the window; of (0, 0) and the vertex C = (2, 6) of the triangle (1, 1), (9, 1), (2, 6):
+    // SurroundTest tests the corners of the window. For (0, 0) and the vertex C = (2, 6) of the triangle (1, 1), (9, 1), (2, 6):
     // from B = (9, 1) to C = (x, y): (x - 9)(0 - 1) - (y - 1)(0 - 9) = -x + 9 y;  at C it is 52, positive.
     // from C to A = (1, 1):          (1 - x)(0 - y) - (1 - y)(0 - x) = x - y;     at C it is -4, negative.
     const Scene scene = SceneBuilder({0, 0, 8, 8}).polygon({{1, 1, 0}, {9, 1, 0}, {2, 6, 0}}).build();
@@ -190,7 +190,7 @@ TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly thos
         const Scene scene = random.scene();
         const RunRequest request{methods[scenes % methods.size()], *kernel_named("filtered"), Edition::corrected,
                                  scene};
-        // Some procedures are called far more often than others: each is drawn as often as any other.
+        // Some procedures are called far more often than others, so we draw each procedure equally often.
         std::map<Procedure, std::vector<Course>> courses;
         for (auto& each : courses_of(request)) courses[each.procedure].push_back(std::move(each));
         for (int drawn = 0; drawn < 6 && margins < cases && !courses.empty(); ++drawn) {
@@ -237,7 +237,7 @@ TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly thos
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 const HalfPlane& line = lines[i];
                 if (!line.bounds) continue;
-                // Along which line one comes to this side, and where: its own, or the one that the region lies on.
+                // The line along which one comes to this side, and the point: the side's own line, or the one that the region lies on.
                 const bool leaves_line = line.sign == Sign::zero;
                 if (leaves_line && on.size() > 2) continue;
                 Place start{};
@@ -284,8 +284,8 @@ TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly thos
                         dy = outward * along.a;
                     }
                 }
-                // So near that no other line is crossed, unless it meets this one there. Farther off more would change: a vertex beyond
-                // a side may pass its neighbour.
+                // Close enough that no other line is crossed, unless it meets this one there. Farther away more would change: a vertex
+                // beyond a side may pass its neighbour.
                 Rational far = 0x1p-40;
                 for (int halved = 0; halved < 200; ++halved, far /= 2) {
                     const Place p{start.x + dx * far, start.y + dy * far};

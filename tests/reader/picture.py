@@ -42,7 +42,7 @@ class Picture:
     def __init__(self, scene):
         self.x, self.y, self.width, self.height = (int(scene["window"][key]) for key in ("x", "y", "width", "height"))
         self.rows = [[colour_of(scene["background"])] * self.width for _ in range(self.height)]
-        self.polygon_colour = None  # of the Z-buffer's polygon at hand
+        self.polygon_colour = None  # of the Z-buffer's current polygon
 
     def take(self, event):
         name = event["e"]

@@ -1,4 +1,4 @@
-// Reading failures: what is refused, with its reason.
+// Reading failures: refused files, with the reasons.
 
 #include "scene/failure.h"
 

@@ -1,4 +1,4 @@
-/// Scene files: what is read, and a table of what is refused, with the place and the reason.
+/// Scene files: accepted ones, and a table of refused ones with the place and the reason.
 #include "scene/scene_json.h"
 
 #include <doctest/doctest.h>
@@ -49,7 +49,7 @@ struct BadInput {
     std::string text, message;
 };
 
-/// The messages have the places in the document; those in the text are tested by themselves.
+/// The messages have the paths in the document; the places in the text are tested separately.
 void check_refused(const std::vector<BadInput>& table) {
     for (const BadInput& bad : table) {
         CAPTURE(bad.text);

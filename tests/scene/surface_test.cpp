@@ -1,4 +1,4 @@
-// Surfaces: reading them, and where their samples come to stand.
+// Surfaces: reading them, and the places of their samples.
 
 #include "scene/surface.h"
 
@@ -45,7 +45,7 @@ bool is_on(const Curve& curve, int column, double y) {
                        [&](const Sample& sample) { return sample.x == column && sample.y == y; });
 }
 
-/// Of the sample on a column; it is there.
+/// The y of the sample on a column, which must exist.
 double row_over(const Curve& curve, int column) {
     const auto found = std::find_if(curve.samples.begin(), curve.samples.end(),
                                     [&](const Sample& sample) { return sample.x == column; });
@@ -88,7 +88,7 @@ TEST_CASE("Surface: a function becomes curves on whole columns") {
 }
 
 TEST_CASE("Surface: samples stand on the nearest columns when they do not go evenly") {
-    // Of 10 columns 4 parts: 0, 2.5, 5, 7.5, 10.
+    // 10 columns in 4 parts: 0, 2.5, 5, 7.5, 10.
     const auto surface = seen_from_the_front([](double, double) { return 0; }, 10, 5);
     CHECK(columns_of(sampled(surface)[0]) == std::vector{0, 3, 5, 8, 10});
 }
@@ -97,7 +97,7 @@ TEST_CASE("Surface: a peak narrower than the step is missed, and found where sam
     auto surface = seen_from_the_front(peak_at(5), 16, 3);
     CHECK_MESSAGE((columns_of(sampled(surface)[0]) == std::vector{0, 8, 16}), "plain sampling sees a level line");
     CHECK_FALSE(is_on(sampled(surface)[0], 5, 10));
-    // Halved while the peak is between: 0..8, 4..8, 4..6; never where all is level.
+    // Intervals that contain the peak are halved: 0..8, 4..8, 4..6; level ones never.
     surface.tolerance = 0.25;
     const auto curves = sampled(surface);
     CHECK(columns_of(curves[0]) == std::vector{0, 4, 5, 6, 8, 16});

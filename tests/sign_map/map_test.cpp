@@ -1,4 +1,4 @@
-// Sign maps: the published ones by arithmetic of their own, the other decisions, and the files of decisions and of maps.
+// Sign maps: the published ones by independent arithmetic, the other decisions, and the files of decisions and of maps.
 
 #include "sign_map/map.h"
 
@@ -35,7 +35,7 @@ SignMap map_of(const MappedDecision& decision, std::string_view kernel) {
 
 Sign sign_of(auto value) { return Sign{int(value > 0) - int(value < 0)}; }
 
-/// (b - a) x (c - a), in doubles as it stands.
+/// (b - a) x (c - a), in plain doubles.
 Sign formula(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
@@ -48,7 +48,7 @@ Sign exact_formula(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
                    (whole(b.y) - whole(a.y)) * (whole(c.x) - whole(a.x)));
 }
 
-/// How many cells are not as `expected(i, j)` says.
+/// How many cells differ from `expected(i, j)`.
 int unexpected(const SignMap& map, auto&& expected) {
     int count = 0;
     for (int j = 0; j < side; ++j) {
@@ -159,8 +159,8 @@ TEST_CASE("Every decision of the lessons: double is wrong somewhere, filtered an
 }
 
 TEST_CASE("To a float, or to fewer bits, all places are one") {
-    // Of the places (1/2 + X u, 1/2 + Y u) only 1/2 is a number of 24 bits, and it lies on the line: zero everywhere, and
-    // right on the diagonal. To 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: zero as well.
+    // All places (1/2 + X u, 1/2 + Y u) are 1/2 in numbers of 24 bits, which lies on the line. So the answer is zero everywhere, and right
+    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: zero as well.
     for (const auto* kernel : {"float", "bits:24", "bits:4"}) {
         CAPTURE(kernel);
         const SignMap map = map_of(lesson("kettner-2a"), kernel);
@@ -193,7 +193,7 @@ TEST_CASE("Clip side: a step of p that the computed cut does not follow") {
 }
 
 TEST_CASE("Depth order: planes that no double tells apart") {
-    // At x = 1 - 2^-5 + X u the one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54: no double near 1/4 shows it.
+    // At x = 1 - 2^-5 + X u one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54, which no double near 1/4 can show.
     const double low = .25 - 0x1p-54;
     const MappedDecision decision{
         "",

@@ -1,4 +1,4 @@
-// The smallest scene with a property, and how little a picture needs.
+// The smallest scene with a property, and how little of a scene a picture needs.
 
 #include "stability/shrink.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 bool double_fails(const Scene& scene) { return render(Method::warnock, scene, Double{}) != Reference(scene).picture(); }
 
-/// The scenes that are a polygon, a vertex or some binary places smaller.
+/// The scenes that have one polygon, one vertex or some binary places less.
 std::vector<Scene> one_step_smaller(const Scene& scene) {
     std::vector<Scene> smaller;
     for (std::size_t polygon = 0; polygon < scene.polygons.size(); ++polygon) {
@@ -102,7 +102,7 @@ TEST_CASE("Need: a hidden polygon, and a plain one over the whole area") {
 }
 
 TEST_CASE("Need: binary places, with the pixel that one less turns wrong") {
-    // The right side at 2 7/16 leaves the centre 2 1/2 out. Of three places 2 7/16 is halfway to 2 1/2, and goes there.
+    // The right side at 2 7/16 excludes the centre 2 1/2. With three binary places 2 7/16 is a tie and rounds to 2 1/2.
     const auto report = needs_of(
         SceneBuilder({0, 0, 4, 1}).polygon("A", red, {{0, 0, 0}, {2.4375, 0, 0}, {2.4375, 1, 0}, {0, 1, 0}}).build(),
         [] {});
@@ -132,7 +132,7 @@ TEST_CASE("Need: bits of arithmetic, and more than a double has") {
 }
 
 TEST_CASE("Need: levels of subdivision") {
-    // The left half of the area: two windows of half its side, each plain, so one level of three.
+    // The left half of the area: two windows of half its side, each simple, so one level of three.
     const auto report = needs_of(SceneBuilder({0, 0, 8, 8}).quad(-1, -1, 4, 9, 0).quad(4, -1, 9, 9, .5).build(), [] {});
     CHECK(need_of(report, "levels of subdivision").amount == "1 of 3");
 }

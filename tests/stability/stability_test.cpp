@@ -1,5 +1,5 @@
-// Campaigns: what the families and the perturbations are, what a trial counts, and that results add up the same whole,
-// in shards and after a kill.
+// Campaigns: the families and perturbations, the counts of a trial, and that results add up to the same whether the campaign runs
+// whole, in shards, or is continued after a kill.
 
 #include "stability/stability.h"
 
@@ -58,7 +58,7 @@ Picture picture_of(const Scene& scene, Method method, const char* kernel) {
 
 const Campaign small{7, 2, {"slivers", "vertices"}, {"float", "double"}, {"zbuffer"}};
 
-/// A file that goes with the test.
+/// A file that is removed with the test.
 struct TemporaryFile {
     std::string name;
 
@@ -184,8 +184,8 @@ TEST_CASE("No flicker: a pixel that changes because it should") {
 }
 
 TEST_CASE("Growth of windows: the box of a triangle splits into pixels where the triangle is not") {
-    // Before a backdrop, a triangle on one side of the diagonal. A window of the side 2^m on the diagonal is itself, two such
-    // of half the side, one in the triangle, which covers it, and one beside it: still in its box, so it splits down to pixels.
+    // A triangle on one side of the diagonal, in front of a backdrop. A window of side 2^m on the diagonal counts itself, two such windows
+    // of half the side, one in the triangle, which covers it, and one beside the triangle: still in its box, so it splits down to pixels.
     std::array<std::uint64_t, 6> beside{1}, on_diagonal{1};
     for (std::size_t m = 1; m < beside.size(); ++m) {
         beside[m] = 1 + 4 * beside[m - 1];
@@ -230,8 +230,8 @@ TEST_CASE("Results of a killed run are taken up: what was half written is done a
 }
 
 TEST_CASE("A file written before campaigns had all methods is continued byte for byte") {
-    // Written by the program of then: vidno stability --seed 5 --count 1 --family triangles steep --kernel double. The decisions of
-    // the Z-buffer were counted again since: it sorts its active edges with fewer comparisons.
+    // Written by an earlier program: vidno stability --seed 5 --count 1 --family triangles steep --kernel double. The decisions of the
+    // Z-buffer were counted again later, since it now sorts its active edges with fewer comparisons.
     const std::string file = VIDNO_ROOT "/tests/stability/campaign-of-before.jsonl";
     const std::string expected = read_file(file);
     const TemporaryFile half(expected.substr(0, expected.size() / 2));
@@ -335,7 +335,7 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
 }
 
 TEST_CASE("Curves are shrunk to those, and to those samples and places, that a property needs") {
-    // Needed: a curve that is above 2 over column 3. One curve of two samples, 3 and 0 or 1, has that with whole heights.
+    // The property: a curve is above 2 over column 3. One curve of two samples with whole heights, 3 and 0 or 1, has it.
     const CurveScene scene{
         {0, 0, 9, 9}, {{{{0, 1.25}, {4, 1}, {8, 1}}}, {{{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}}}, {{{1, 0}, {8, 1}}}}};
     const auto is_above = [](const CurveScene& curves) {

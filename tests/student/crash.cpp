@@ -1,4 +1,4 @@
-// A program in `float` that tells a few numbers and crashes.
+// A program in `float` that reports a few numbers and crashes.
 #include <limits>
 
 #include "vidno_student.h"

@@ -1,5 +1,5 @@
-# The header for students' own programs, by each of COMPILERS: the traces of two right programs are read whole by VIDNO and paint what
-# the rule of the picture demands; wrong use is said, and leaves a trace. Run with -P.
+# The header for students' own programs, with each of COMPILERS: VIDNO reads the whole traces of two right programs, and they paint what
+# the picture rule demands; wrong use is reported, and still leaves a trace. Run with -P.
 cmake_minimum_required(VERSION 3.25)
 set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
 set(right ${CMAKE_CURRENT_LIST_DIR}/../grade/right)
@@ -12,7 +12,7 @@ macro(must)
     execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 endmacro()
 
-# Runs a program; what it says on the standard error must be just this, apart from the numbers of steps.
+# Runs a program; its standard error must be exactly this, apart from the numbers of steps.
 function(must_say said)
     execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} ERROR_VARIABLE errors COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX REPLACE ", after step [0-9]+" "" errors "${errors}")
@@ -29,7 +29,7 @@ function(must_hold trace text)
     endif()
 endfunction()
 
-# The picture of the events alone. Exit code 0 says that every line was read and that the last one has its hash.
+# The picture by the events alone. Exit code 0 means that every line was read and that the last one has its hash.
 macro(replay trace)
     must(${VIDNO} replay ${trace}.jsonl -o ${trace}.ppm)
 endmacro()
@@ -49,7 +49,7 @@ macro(test_example name method)
     endforeach()
 endmacro()
 
-# By the number of the call in wrong_use.cpp, and the same at every level; the steps differ.
+# By the number of the call in wrong_use.cpp; the same at every level, but with other steps.
 set(complaints
     "2, pop: not the window on top of AW: the trace pushes it first"
     "3, push: not a window: a side is not positive, or a number not finite"
@@ -77,7 +77,7 @@ macro(test_wrong_use)
         must_say("${complaints}\n" ./wrong_use ${detail})
         replay(wrong_warnock)
         replay(wrong_z_buffer)
-        # Of the rectangle of call 9 the pixel (3, 1) lies in the area; the lines of calls 9 and 11 have a pixel each.
+        # The pixel (3, 1) of the rectangle of call 9 lies in the area; the lines of calls 9 and 11 have one pixel each.
         must_hold(wrong_warnock [=["e":"fill","at":"W10","rect":[3,1,1,1],"color":"#0000ff"]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":0,"runs":[[1,2]]]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":1,"runs":[[2,3]]]=])
@@ -104,7 +104,7 @@ foreach(compiler IN LISTS COMPILERS)
         get_filename_component(program ${source} NAME_WE)
         must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source} -o ${program})
     endforeach()
-    # The frames that students begin with, which paint nothing yet, compile and write whole traces.
+    # The frames that students begin with, which paint nothing yet, compile and write complete traces.
     foreach(frame IN ITEMS warnock z_buffer)
         must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror ${student}/${frame}.cpp -o frame)
         must_say("" ./frame)

@@ -1,4 +1,4 @@
-// Calls that cannot be right: each is said, and the traces can be read.
+// Calls that cannot be right: each is reported, and the traces can be read.
 #include "vidno_student.h"
 
 using namespace vidno::student;
@@ -6,7 +6,6 @@ using namespace vidno::student;
 const Polygon square{"a \"square\"\n", {255, 0, 0}, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};
 const Scene scene{"Wrong use", {0, 0, 4, 2}, {255, 255, 255}, {square}};
 
-/// Goes to and fro between levels of the call stack, windows and lists.
 void misuse_warnock(Detail detail) {
     WarnockTrace trace("wrong_warnock.jsonl", scene, detail);
     trace.pop(1, 0, 2, 2);   // 2: nothing was pushed

@@ -1,4 +1,4 @@
-/// Whether the quick readers and the trees agree: what the quick one reads, the tree gives likewise.
+/// Whether the quick readers and the trees agree: the tree gives the same for everything that the quick one reads.
 #pragma once
 
 #include <string>

@@ -38,7 +38,7 @@ inline CurveScene some_curves() {
         .build();
 }
 
-/// What the rule says of each curve, and the horizons after all of them.
+/// The result of the rule for each curve, and the horizons after all of them.
 class FloatingHorizonReference {
 public:
     using Number = CGAL::Exact_rational;

@@ -1,5 +1,5 @@
-/// What the Warnock family should find, by brute force in exact rationals: relations by clipping, pictures with the variations of
-/// the picture rule. Independent of kernels and procedures.
+/// The expected results of the Warnock family, by brute force in exact rationals: relations by clipping, pictures with the variations
+/// of the picture rule. Independent of kernels and procedures.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
@@ -30,7 +30,7 @@ inline std::vector<ExactPoint> exact_outline(const ScenePolygon& polygon) {
     return outline;
 }
 
-/// Is a point in a closed convex polygon? Its triangles with the edges have the polygon's area together.
+/// Is a point in a closed convex polygon? If so, its triangles with the edges together have the polygon's area.
 inline bool holds(const std::vector<ExactPoint>& outline, const ExactPoint& point) {
     ExactNumber own = 0, around = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -42,8 +42,7 @@ inline bool holds(const std::vector<ExactPoint>& outline, const ExactPoint& poin
     return own != 0 && around == CGAL::abs(own);
 }
 
-/// The relation by its definition: what is left of the polygon in the window with its sides says whether it reaches into
-/// the window without them.
+/// The relation by its definition: the part of the polygon in the closed window decides whether it reaches into the open window.
 class RelationReference {
 public:
     explicit RelationReference(const Window& window)
@@ -60,7 +59,7 @@ public:
     }
 
 private:
-    /// Nothing, or convex and on the line of one side: none of it is between the sides.
+    /// Empty, or convex and on the line of one side: no part is strictly between the sides.
     bool on_one_side(const std::vector<ExactPoint>& part) const {
         const auto all = [&](auto&& on) { return std::all_of(part.begin(), part.end(), on); };
         return all([&](const auto& p) { return p.x == left_; }) || all([&](const auto& p) { return p.x == right_; }) ||
@@ -109,7 +108,7 @@ inline std::optional<ExactNumber> plane_depth(const ScenePolygon& polygon, const
     return v[0].z - (a * (point.x - v[0].x) + b * (point.y - v[0].y)) / c;
 }
 
-/// The nearest depth of an edge-on polygon where a line of sight meets it, perhaps along an edge. None if it passes by.
+/// The nearest depth of an edge-on polygon where a line of sight meets it, perhaps along an edge. None if it misses the polygon.
 inline std::optional<ExactNumber> edge_on_depth(const ScenePolygon& polygon, const ExactPoint& point) {
     std::optional<ExactNumber> nearest;
     const auto take = [&](const ExactNumber& z) { nearest = nearest ? std::max(*nearest, z) : z; };

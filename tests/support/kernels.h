@@ -33,6 +33,6 @@ inline double as_double(const Rational& number) { return CGAL::to_double(number)
 
 }  // namespace vidno::test
 
-/// The kernels over which every hand-computed case is run; the printed text is not for a kernel that is always right.
+/// The kernels over which every hand-computed case runs, and those of them that run the printed text.
 #define VIDNO_PRINTED_KERNELS ::vidno::Float, ::vidno::Double, ::vidno::test::Bits24, ::vidno::Exact
 #define VIDNO_KERNELS VIDNO_PRINTED_KERNELS, ::vidno::Filtered, ::vidno::test::Grid8

@@ -6,7 +6,7 @@
 
 namespace vidno::test {
 
-/// Without "line 2, column 13: ", but where a text is no JSON: then the place is all that is said.
+/// Removes "line 2, column 13: ", except where a text is not JSON and the message has only that place.
 inline std::string without_places(const std::string& message) {
     return std::regex_replace(message, std::regex("line [0-9]+, column [0-9]+: (?!not valid JSON)"), "");
 }

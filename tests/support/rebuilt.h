@@ -1,11 +1,11 @@
-/// The state that a trace's reader builds, made from a run's events while the run goes on.
+/// The state that a trace's reader builds, from a run's events while it runs.
 #pragma once
 
 #include "run/recorder.h"
 
 namespace vidno::test {
 
-/// The state rebuilt from a run's events, and how often it was held against the run's own lists.
+/// The state rebuilt from a run's events, and how often it was compared with the run's own lists.
 template <class State>
 struct Rebuilt final : EventSink {
     explicit Rebuilt(const auto& header) : state(header), recording{header.detail, *this} {}
@@ -22,7 +22,7 @@ struct Rebuilt final : EventSink {
     int compared = 0, different = 0;
 };
 
-/// Records into a rebuilt state. Derive from it to hold the run's own lists against that state.
+/// Records into a rebuilt state. Derive from it to compare the run's own lists with that state.
 template <class K, class State>
 class RebuildingRecorder : public Recorder<K> {
 public:

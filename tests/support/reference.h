@@ -11,11 +11,11 @@
 
 namespace vidno::test {
 
-/// All of a scene's x and y, pixel centres too, are whole numbers when multiplied by the largest of their denominators,
-/// which are powers of two; so are its z by another. Whole numbers spare the common divisors that rationals look for.
+/// All x and y of a scene, and its pixel centres, become whole numbers when multiplied by the largest of their denominators,
+/// which are powers of two; its z likewise with another factor. Unlike rationals, whole numbers need no common divisors.
 class Reference {
 public:
-    /// Points asked for are multiples of `finest`, a power of two, or of the coordinates' own last digits.
+    /// Queried points are multiples of `finest`, a power of two, or of the coordinates' own last digits.
     explicit Reference(const Scene& scene, double finest = 0.5)
         : scene_(scene), xy_scale_(fraction_of(finest).denominator) {
         Integer z_scale = 1;
@@ -75,7 +75,7 @@ private:
         Linear depth;                       // times the divisor, which is positive
         Integer divisor;
 
-        /// The triangles' areas add up to the polygon's own: closed, any way round.
+        /// The triangles' areas add up to the polygon's; holds for the closed polygon in either orientation.
         bool holds(const Integer& x, const Integer& y) const {
             Integer around = 0;
             for (const auto& area : doubled_areas) around += absolute(area.at(x, y));

@@ -34,7 +34,7 @@ public:
         return polygon({{left, top, z}, {right, top, z}, {right, bottom, z}, {left, bottom, z}});
     }
 
-    /// Throws if a polygon is not admitted: a test's scene is in the domain.
+    /// Throws if a polygon is not admitted.
     Scene build() const {
         Scene scene = scene_;
         for (auto& polygon : scene.polygons) admitted(polygon);
@@ -51,12 +51,12 @@ private:
     Scene scene_;
 };
 
-/// The quad Q over the whole 16 x 16 area and the square N in its middle, before it.
+/// The quad Q over the whole 16 x 16 area, and the square N in its middle in front of it.
 inline const Corners far_quad{{-1, -1, .125}, {17, -1, .125}, {17, 17, .125}, {-1, 17, .125}};
 inline const Corners near_square{{4, 4, .5}, {12, 4, .5}, {12, 12, .5}, {4, 12, .5}};
 inline constexpr Area area_16{0, 0, 16, 16};
 
-/// Three polygons that overlap, on the coarsest grid: every kernel takes it as it is.
+/// Three polygons that overlap, on the coarsest grid, so that every kernel takes them unchanged.
 inline Scene small_scene() {
     return SceneBuilder({-3, 2, 9, 7})
         .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
@@ -65,7 +65,7 @@ inline Scene small_scene() {
         .build();
 }
 
-/// With sanitizers a run takes ten times as long. There the longest tests take one of this number of their scenes or steps.
+/// With sanitizers a run takes ten times as long, so the longest tests then take only one in this many of their scenes or steps.
 #ifdef VIDNO_SANITIZED
 inline constexpr int thinning = 8;
 #else

@@ -1,4 +1,4 @@
-/// A run at hand: to call one procedure of it and look at what it gives.
+/// A run for calling single procedures.
 #pragma once
 
 #include "kernels.h"

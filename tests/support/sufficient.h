@@ -1,4 +1,4 @@
-/// Whether a trace is sufficient: the lists rebuilt from the events of a run, held against the run's own.
+/// Checks that a trace is sufficient: compares the lists rebuilt from the events of a run with the run's own.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@
 
 namespace vidno::test {
 
-/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
+/// Records, and compares the procedure's own lists with the rebuilt ones wherever an event shows them.
 template <class K>
 class Compare : public RebuildingRecorder<K, State> {
     using Base = RebuildingRecorder<K, State>;

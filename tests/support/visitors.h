@@ -1,4 +1,4 @@
-/// Visitors that note what a run tells.
+/// Visitors that note the events of a run.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct CountWindows : NoTrace {
     void pop(Line, const auto&) { ++*windows; }
 };
 
-/// The last fault that ended or marred a run.
+/// The last fault of a run.
 struct HearFaults : NoTrace {
     struct Heard {
         int count = 0;

@@ -20,7 +20,7 @@ inline std::string text_of(const std::string& file) {
     return text.str();
 }
 
-/// A directory of its own that goes with the test.
+/// A directory that is removed with the test.
 struct Workplace {
     std::filesystem::path directory =
         std::filesystem::temp_directory_path() / ("vidno-test-" + std::to_string(getpid()));

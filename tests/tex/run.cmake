@@ -1,5 +1,5 @@
-# Figures of lessons under pdfLaTeX: alone, inside a document with another font, and as a slide. No character may be missing,
-# nothing may stick out, and the text must be there. Run with -P.
+# Figures of lessons under pdfLaTeX: alone, inside a document with another font, and as a slide. No character may be missing, nothing
+# may overflow, and the text must be there. Run with -P.
 cmake_minimum_required(VERSION 3.25)
 set(lessons ${CMAKE_CURRENT_LIST_DIR}/../../lessons)
 file(REMOVE_RECURSE ${WORK})

@@ -1,4 +1,4 @@
-// `vidno trace` by the library as it is in a page: vidno.wasm.
+// `vidno trace` by the library that a page uses: vidno.wasm.
 //
 //     node vidno.mjs VIDNO.wasm trace SCENE [--method M] [--kernel K] [--edition E] [--detail D] [--check] -o FILE
 import { createHash } from 'node:crypto';

@@ -1,4 +1,4 @@
-/// Axes: what the runs of a chart cost and how wrong they are, and to which of them no other is preferred.
+/// Axes: the costs and errors of the runs of a chart, and their Pareto fronts.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// By the names under which they are written.
+/// By the names used in files.
 template <class Run>
 struct CostAxis {
     std::string_view name;
@@ -22,7 +22,7 @@ struct ErrorAxis {
     double (*of)(const Run&);
 };
 
-/// The share of wrong decisions among those whose truth is known, since runs take different numbers of them. 0 if there are none.
+/// The share of wrong decisions among those whose truth is known, since runs take different numbers of decisions. 0 if there are none.
 template <class Run>
 inline constexpr ErrorAxis<Run> wrong_decisions_axis{
     "wrongDecisions", [](const Run& run) {
@@ -34,12 +34,12 @@ using CostAxes = std::array<CostAxis<Run>, count>;
 template <class Run, std::size_t count>
 using ErrorAxes = std::array<ErrorAxis<Run>, count>;
 
-/// For each cost and error, by their places: is no other run better in one of both and as good in the other, and no equal one
-/// before it?
+/// For each cost and error, by index: is the run on the front? No other run is better in one and at least as good in the other, and no
+/// equal one comes before it.
 template <std::size_t costs, std::size_t errors>
 using Fronts = std::array<std::array<bool, errors>, costs>;
 
-/// The times of measured runs relative to the fastest, and the fronts. A run that ended by a fault is on none.
+/// Sets the times of measured runs relative to the fastest, and the fronts. A run that ended by a fault is on no front.
 template <class Run, std::size_t costs, std::size_t errors>
 void compare_runs(std::vector<Run>& runs, const CostAxes<Run, costs>& cost_axes,
                   const ErrorAxes<Run, errors>& error_axes) {

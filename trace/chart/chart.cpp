@@ -51,7 +51,7 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
     return ways;
 }
 
-/// A method outside the course is drawn with one setting of each knob: few bits in one run, a grid in another.
+/// A method outside the course has one setting of each knob: few bits in one run, a grid in another.
 std::vector<Way> compared_ways(Method method, const Scene& scene) {
     if (refusal_of(method, scene)) return {};
     auto ways = fixed_ways(method);

@@ -1,4 +1,4 @@
-/// Chart: what each way to draw a scene costs, and how wrong it is. CHART.md says what the numbers mean.
+/// Chart: the cost and the error of each way to draw a scene. CHART.md explains the numbers.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace vidno {
 
-/// What is turned down in a run; in one of a kernel and an edition as they are, nothing.
+/// The setting that is reduced in a run; none in a run of a plain kernel and edition.
 enum class Knob : unsigned char { bits, depth, grid, window };
 inline constexpr std::array<std::string_view, 4> knob_names{"bits", "depth", "grid", "window"};
 
@@ -50,15 +50,15 @@ struct SceneChart {
     std::string name;
     std::size_t unsteady = 0;  // pixels that an ulp can change
     std::size_t pixels = 0, polygons = 0;
-    double area = 0;  // that even the right picture shows in a wrong colour, in pixels
+    double area = 0;  // shown in a wrong colour even by the right picture, in pixels
     std::vector<ChartRun> runs{};
     std::string scene{};  // the scene itself, as scene_json writes it
 
     bool degenerate() const { return unsteady > 0; }
 };
 
-/// Each method of the course under each kernel in each edition, and each knob at each place; of the others those that take the
-/// scene, under each kernel that runs them, one of `bits` and one of `grid`.
+/// Each method of the course under each kernel in each edition, and each knob at each setting. The other methods that take the scene,
+/// under each kernel that runs them, with one `bits` and one `grid`.
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;
@@ -83,7 +83,7 @@ struct ChartWords {
 };
 extern const ChartWords chart_in_english, chart_in_russian;
 
-/// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
+/// The gnuplot program that draws one panel per scene, ordinary ones first, as SVG. The axes are given by index.
 std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
                          const PlotLayout& layout = {}, const ChartWords& words = chart_in_english);
 

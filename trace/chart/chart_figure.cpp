@@ -60,7 +60,7 @@ constexpr std::array<Series, 10> course_series{{
     {Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
 }};
 
-/// The other methods: each has a colour and a shape by its place.
+/// The other methods: each has a colour and a shape by its index.
 std::vector<Series> all_series() {
     constexpr std::array<std::string_view, 3> colors{"#0072b2", "#cc79a7", "#009e73"};
     constexpr int shapes = 3;
@@ -104,7 +104,7 @@ Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const
     for (const auto& run : scene.runs) plot.errors.push_back(error_in(scene, run, error));
     for (const auto& series : all_series()) {
         plot.marks.push_back(marks([&](const ChartRun& run) { return series.has(run.way); }));
-        // The kernels of the corrected text stand by their points.
+        // The kernels of the corrected text are named beside their points.
         // The variants of Warnock's algorithm lie so close that their kernels' names would cover one another.
         const bool named = !series.knob && series.edition == Edition::corrected && !is_family(series.method);
         if (named) plot.labels.push_back({plot.marks.back(), is_warnock(series.method)});

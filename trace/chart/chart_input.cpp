@@ -29,7 +29,7 @@ double number_or_infinite(const JsonNode& node) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// The items of a list, each as it is read.
+/// The items of a list, each read by `read`.
 auto all_of(const JsonNode& list, const auto& read) {
     std::vector<decltype(read(list))> items;
     for (std::size_t i = 0; i < list.size(); ++i) items.push_back(read(list.at(i)));

@@ -1,4 +1,4 @@
-/// Reading charts again, for their figures.
+/// Reading charts, for their figures.
 #pragma once
 
 #include <variant>
@@ -11,7 +11,7 @@ namespace vidno {
 /// A chart is of scenes or of surfaces.
 using AnyChart = std::variant<std::vector<SceneChart>, std::vector<SurfaceChart>>;
 
-/// What chart_json wrote. `file` is its name in messages. Throws Refused.
+/// Reads what chart_json wrote. `file` is its name in messages. Throws Refused.
 AnyChart read_chart(std::string_view text, const std::string& file);
 
 }  // namespace vidno

@@ -88,7 +88,7 @@ std::string listed(const auto& items, const auto& text_of) {
     return "[" + text + "]";
 }
 
-/// An object as text, with the text of a value under a key that is added last.
+/// An object as text, with one more key at its end whose value is already text.
 std::string with(std::string object, const std::string& key, const std::string& value) {
     object.back() = ',';
     return object + Json(key).dump() + ":" + value + "}";

@@ -16,7 +16,7 @@ std::string style_of(const PlotSeries& series) {
     return "lc '" + std::string(series.color) + "' pt " + std::to_string(series.point) + " ps 0.8 lw 2";
 }
 
-/// In single quotes gnuplot takes everything for itself, a quote excepted.
+/// In single quotes gnuplot takes every character literally, except a quote.
 std::string in_quotes(std::string_view text) {
     std::string quoted = "'";
     for (const char c : text) {

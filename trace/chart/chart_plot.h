@@ -1,4 +1,4 @@
-/// Plot: runs as points with a cost and an error, drawn by gnuplot; what the figures of all charts are made of.
+/// Plot: runs as points with a cost and an error, drawn by gnuplot; shared by the figures of all charts.
 #pragma once
 
 #include <string>
@@ -23,13 +23,13 @@ struct PlotSeries {
     bool along_knob;
 };
 
-/// Names that stand by their marks, above or below them.
+/// Names beside their marks, above or below them.
 struct PlotLabels {
     std::vector<PlotMark> marks;
     bool above;
 };
 
-/// A panel of a figure. Errors go by decades; 0 has a place of its own below them, and an infinite one above.
+/// A panel of a figure. The error axis is logarithmic; 0 has a separate place below, an infinite error one above.
 struct Plot {
     std::string title;
     std::vector<double> errors;                // of all runs, also of those that have no such cost
@@ -38,20 +38,20 @@ struct Plot {
     std::vector<PlotLabels> labels;
 };
 
-/// What the panels of a figure have in common.
+/// The settings that all panels of a figure share.
 struct PlotWords {
     std::string_view cost, error, front, no_number;
     std::vector<PlotSeries> series;
     bool plain_costs;  // 1, 2, 5; else as powers of ten
 };
 
-/// The panels side by side, and the width of one in units of which 15 are the size of its letters.
+/// The panels side by side, and the width of one, in units of 1/15 of the font size.
 struct PlotLayout {
     int columns = 2, panel_width = 800;
     std::string_view font = "DejaVu Sans";
 };
 
-/// The program by which gnuplot draws the panels, as SVG.
+/// The gnuplot program that draws the panels as SVG.
 std::string plot_script(const std::vector<Plot>& plots, const PlotWords& words, const PlotLayout& layout);
 
 }  // namespace vidno

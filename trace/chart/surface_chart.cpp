@@ -25,7 +25,7 @@ const ErrorAxes<SurfaceChartRun, 3> surface_error_axes{{
 
 namespace {
 
-/// How a knob is turned, from few samples to many.
+/// The settings of a knob, from few samples to many.
 struct Turn {
     std::optional<SamplingKnob> knob{};
     double value = 0;
@@ -66,7 +66,7 @@ double height_missed(const Curve& curve, const Curve& dense) {
     return farthest;
 }
 
-/// Counts what an event tells; of most, nothing.
+/// Counts the operations of an event; most have none.
 struct Counting {
     FloatingHorizonOperationCounts& counts;
 
@@ -85,7 +85,7 @@ struct Counting {
     }
 };
 
-/// The function as the screen shows it, for runs of samples to be held against.
+/// The function as the screen shows it, with which runs of samples are compared.
 class FunctionExaminer {
 public:
     explicit FunctionExaminer(const Function& function)

@@ -1,5 +1,5 @@
-/// SurfaceChart: what each sampling of a surface costs, and how far the drawing is from the function. It is to surfaces what Chart
-/// is to scenes.
+/// SurfaceChart: the cost of each sampling of a surface, and the distance of its drawing from the function. Chart does the same for
+/// scenes.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace vidno {
 
-/// How a surface is sampled other than as its file says: evenly, with a number of samples per curve; or from the ends of each
-/// curve, with one more sample halfway wherever the curve is farther than a tolerance in pixels from the line between two.
+/// How a surface is sampled if not as its file says: evenly, with a number of samples per curve; or from the ends of each curve, with
+/// one more sample halfway wherever the curve is farther than a tolerance, in pixels, from the line between two.
 enum class SamplingKnob : unsigned char { samples, tolerance };
 inline constexpr std::array<std::string_view, 2> sampling_knob_names{"samples", "tolerance"};
 
@@ -28,15 +28,15 @@ struct SurfaceWay {
     double value = 0;  // how far it is turned
 };
 
-/// The elementary steps of the listings, by columns: held against the horizons, gone along by Horizon, looked at by
-/// Intersection; and crossings computed.
+/// The elementary steps of the listings: columns compared with the horizons, columns covered by Horizon, columns examined by
+/// Intersection, and crossings computed.
 enum class FloatingHorizonOperation : unsigned char { visibilities, horizons, steps, crossings };
 inline constexpr std::array<std::string_view, 4> floating_horizon_operation_names{"visibilities", "horizons", "steps",
                                                                                   "crossings"};
 using FloatingHorizonOperationCounts = std::array<std::uint64_t, floating_horizon_operation_names.size()>;
 
 struct SurfaceCost {
-    double seconds = 0;  // of the lines without a trace, from samples that are there
+    double seconds = 0;  // of the lines without a trace, from given samples
     double time = 0;     // relative to the surface's fastest run
     double operations = 0;
     double samples = 0;  // of all curves together
@@ -68,7 +68,7 @@ struct SurfaceChart {
     std::string surface{};  // its file, as it samples it
 };
 
-/// The sampling of the file and both knobs at each place, under each kernel that runs curves, in each edition that it runs.
+/// The sampling of the file and both knobs at each setting, under each kernel that runs curves, in each edition that it runs.
 std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
 
 /// The total over all curves; a chart takes no more.
@@ -90,7 +90,7 @@ struct SurfaceChartWords {
 };
 extern const SurfaceChartWords surface_chart_in_english, surface_chart_in_russian;
 
-/// The program by which gnuplot draws a panel a surface, as SVG. The axes are given by their places.
+/// The gnuplot program that draws one panel per surface, as SVG. The axes are given by index.
 std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
                          const PlotLayout& layout = {}, const SurfaceChartWords& words = surface_chart_in_english);
 

@@ -37,7 +37,7 @@ struct Series {
         text += kernel;
         return edition == Edition::printed ? text + ", " + std::string(words.printed) : text;
     }
-    /// By the place of the kernel among those without a parameter.
+    /// By the index of the kernel among those without a parameter.
     std::string_view color() const {
         constexpr std::array<std::string_view, 5> colors{"#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7"};
         std::size_t place = 0;

@@ -1,4 +1,4 @@
-/// Timing: what pictures cost, side by side.
+/// Timing: the times of several runs, measured side by side.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,8 @@
 
 namespace vidno {
 
-/// The seconds that each run needs: the median of several rounds, in each of which every run has its turn. A run that is too
-/// short for the clock is repeated. `progress` is called after each turn.
+/// The seconds that each run needs: the median of several rounds, in each of which every run is timed once. A run that is too short for
+/// the clock is repeated. `progress` is called after each measurement.
 std::vector<double> median_seconds(const std::vector<std::function<void()>>& runs, int rounds,
                                    const std::function<void()>& progress);
 

@@ -7,7 +7,7 @@ namespace vidno {
 
 namespace {
 
-/// Draws up the report of a judged run while it goes on.
+/// Builds the report of a judged run while it runs.
 class Report {
 public:
     Report(Procedure method, const std::function<void()>& progress, const HearEvent& hear, FindingList* findings)

@@ -77,8 +77,8 @@ JudgedDecision columns_of(const JudgedDecision& first, const JudgedDecision& las
     return columns;
 }
 
-/// What was judged of an event's decision: the last one of its kind. None if it was not judged, as columns are not of which an edition
-/// leaves out the ends.
+/// The verdict on an event's decision: the last one of its kind. None if it was not judged, like columns in an edition that leaves out
+/// the ends.
 std::optional<JudgedDecision> judged(const ToldDecision& told, const std::vector<JudgedDecision>& decisions) {
     const auto found = [&](Decision of) -> const JudgedDecision* {
         const auto last = std::find_if(decisions.rbegin(), decisions.rend(), [&](auto& each) { return each.of == of; });
@@ -92,7 +92,7 @@ std::optional<JudgedDecision> judged(const ToldDecision& told, const std::vector
     return columns.taken == told.answer ? std::optional(columns) : std::nullopt;
 }
 
-/// The operands of each event that tells a decision.
+/// The operands of each event that reports a decision.
 std::vector<Operands> exact_operands(const RunRequest& request) {
     Pending<JudgedDecision> heard;
     std::vector<Operands> found;
@@ -123,7 +123,7 @@ Told CheckedTrace::told_of(const ToldDecision& told, const std::vector<JudgedDec
 
 namespace {
 
-/// `run(request, followers)` makes the run.
+/// `run(request, followers)` executes the run.
 bool write_judged(auto request, TraceWriter& writer, std::vector<Operands> operands, auto&& run) {
     CheckedTrace trace(request.detail, writer, std::move(operands));
     const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };

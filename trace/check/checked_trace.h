@@ -1,4 +1,4 @@
-/// CheckedTrace: writes a run that is judged, each decision with its truth, each wrong one followed by `disagree`.
+/// CheckedTrace: writes a judged run: each decision with its truth, each wrong one followed by `disagree`.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ namespace vidno {
 /// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
-    /// `operands` has those of each event that tells a decision, in the order of the events; if empty, they are the verdicts' own.
+    /// `operands` holds those of each event that reports a decision, in the order of the events. If it is empty, the verdicts' own are
+    /// used.
     CheckedTrace(Detail detail, TraceWriter& writer, std::vector<Operands> operands = {})
         : detail_(detail), writer_(&writer), operands_(std::move(operands)) {}
 
@@ -27,7 +28,7 @@ public:
 
     void hear(const EventView& event) override;
 
-    /// Those after the last event.
+    /// Writes the wrong decisions after the last event.
     void tell_rest() { tell_wrong_ones(heard_.rest()); }
 
 private:
@@ -36,7 +37,7 @@ private:
 
     void tell_wrong_ones(const std::vector<JudgedDecision>& decisions);
 
-    /// Whether events of level `polygons` tell decisions of this kind.
+    /// Whether events of level `polygons` report decisions of this kind.
     static bool is_told_early(Decision of);
 
     /// The fields that a checked trace adds to the event's decision.
@@ -45,9 +46,9 @@ private:
     Detail detail_;
     TraceWriter* writer_;
     std::vector<Operands> operands_;
-    std::size_t decisions_ = 0;  // that events have told
+    std::size_t decisions_ = 0;  // reported by events so far
     Pending<JudgedDecision> heard_;
-    std::optional<FilterStage> last_stage_;  // that was needed since the last event
+    std::optional<FilterStage> last_stage_;  // the last one needed since the last event
     Line at_{};
 };
 

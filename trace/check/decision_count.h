@@ -12,18 +12,18 @@
 
 namespace vidno {
 
-/// Of one procedure, calls from it not included.
+/// The counts of one procedure, without the calls that it makes.
 struct ProcedureVerdicts {
     Procedure procedure{};
     std::uint64_t decisions = 0;
     std::uint64_t wrong_for_operands = 0;  // the operation rounded
     std::uint64_t wrong_for_scene = 0;     // that, or its operands had drifted
     std::uint64_t undefined = 0;           // no truth: after a wrong turn
-    // The steps, from 1, of level `signs` that tell these first, or follow them. At the first a checked trace has a `disagree`.
+    // The steps of level `signs`, from 1, that report the first of these or follow it. At the first a checked trace has a `disagree`.
     std::optional<std::uint64_t> first_wrong{};
     std::optional<std::uint64_t> first_wrong_for_operands{};
 
-    /// The first that is wrong for the scene; if there is none, the first that is wrong for its numbers alone.
+    /// The first that is wrong for the scene; if there is none, the first that is wrong only for its numbers.
     std::optional<std::uint64_t> first() const { return first_wrong ? first_wrong : first_wrong_for_operands; }
 };
 
@@ -69,11 +69,11 @@ public:
     void count(FilterStage stage) { ++report_.decided_by[std::size_t(stage)]; }
     void follow(const EventView& event);
 
-    /// Once the run has ended.
+    /// Call it once the run has ended.
     DecisionReport report();
 
 private:
-    /// A wrong decision: where its step is to be kept, if it is the first.
+    /// Where the step of a wrong decision is stored, if it is the first.
     struct Wrong {
         Decision of;
         std::optional<std::uint64_t>* first;

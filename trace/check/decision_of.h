@@ -1,4 +1,4 @@
-/// The decision that an event tells, if it tells one.
+/// The decision that an event reports, if any.
 #pragma once
 
 #include <optional>

@@ -37,12 +37,12 @@ private:
 
 namespace {
 
-/// The right one; `exact` would take longer.
+/// The right picture, by `filtered`, since `exact` would take longer.
 Picture picture_of(const Scene& scene) {
     return run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
 }
 
-/// Which operation an event tells; of most, none.
+/// The operation that an event reports; most report none.
 struct OperationOf {
     using enum Operation;
     using Found = std::optional<Operation>;
@@ -70,7 +70,7 @@ struct OperationOf {
     Found operator()(const auto&) const { return std::nullopt; }
 };
 
-/// A write outside the area does not, nor an outline that is left out, for it does not close.
+/// A write outside the area does not end a run, nor does an outline that is left out because it does not close.
 bool ends_run(const event::Fault& fault) {
     using enum Line;
     return !fault.x && fault.at != RC4 && fault.at != RC5 && fault.at != SP3;

@@ -1,4 +1,4 @@
-/// Examiner: the operations of a run, and its errors, step by step and in the picture.
+/// Examiner: the operations of a run, and its errors in single steps and in the picture.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Findings {
     double depth_ulps = 0;  // of the worst depth; infinite if one was no number
 };
 
-/// What is right in a scene, for runs of it to be held against.
+/// The truth about a scene, with which runs of it are compared.
 class Examiner {
 public:
     explicit Examiner(const Scene& scene);
@@ -35,12 +35,12 @@ public:
     Examiner(const Examiner&) = delete;
     Examiner& operator=(const Examiner&) = delete;
 
-    /// `sources`: of each polygon of the request's scene, which one it is of the examiner's.
+    /// `sources`: for each polygon of the request's scene, the corresponding one of the examiner's scene.
     Findings examine(const RunRequest& request, const std::vector<std::size_t>& sources) const;
 
     std::size_t pixels() const { return right_.pixels().size(); }
 
-    /// How much even the right picture shows in a wrong colour, in pixels: a pixel has one.
+    /// How much even the right picture shows in a wrong colour, in pixels, since a pixel has only one colour.
     double area_of_pixels() const { return visible_.wrong_in(right_); }
 
     /// How many pixels differ in any of some trials, in each of which every coordinate is moved by up to one ulp.

@@ -12,7 +12,7 @@ namespace {
 
 bool is_wider(const Finding& a, const Finding& b) { return a.gap->ulps < b.gap->ulps; }
 
-/// The depths of two polygons are compared as numbers by Weiler and Atherton's algorithm.
+/// Weiler and Atherton's algorithm compares the depths of two polygons as numbers.
 Coincidence meaning(Coincidence coincidence, const EventView& event) {
     const bool of_depths = event.get_if<event::Behind>() || event.get_if<event::Order>();
     return of_depths && coincidence == Coincidence::equal_numbers ? Coincidence::equal_depths : coincidence;
@@ -120,7 +120,7 @@ std::vector<Finding> FindingList::findings() {
 
 namespace {
 
-/// `run(request, followers)` makes the run.
+/// `run(request, followers)` executes the run.
 void find(auto& request, FindingList& findings, auto&& run) {
     const Judge judge = [&](const Verdict& verdict) { findings.judge(verdict); };
     const Surveyor survey = [&](const Surveyed& point) { findings.survey(point); };

@@ -1,5 +1,5 @@
-/// Findings: the decisions of a judged run that are worth looking at: those that are wrong, those that rest on an exact coincidence, and
-/// the narrowest of the others; and constructed points that are an error. FORMAT.md says how a file of them looks.
+/// Findings: the decisions of a judged run that are worth examining: wrong ones, those that rest on an exact coincidence, and the
+/// narrowest of the others; and constructed points that are an error. FORMAT.md describes their file.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 4> finding_kind_names{"wrong", "ze
 
 struct Finding {
     FindingKind kind{};
-    std::uint64_t step = 0;  // of level `signs`, from 1: the event that tells it or is the first to follow it
+    std::uint64_t step = 0;  // of level `signs`, from 1: the event that reports it or is the first after it
     Line at{};
     Procedure procedure{};
     std::vector<PolygonPlace> polygons{};
@@ -32,7 +32,7 @@ struct Finding {
     double off = 0;  // of a point
 };
 
-/// Draws up a list of findings while a run goes on. It hears each event of level `signs`, and before it what followers hear.
+/// Collects findings during a run. It hears each event of level `signs`, and before it what followers hear.
 class FindingList {
 public:
     /// `narrowest` is the number of narrow decisions that are listed. All zeros are counted, and the first `most_zeros` are listed.
@@ -43,17 +43,17 @@ public:
     void survey(const Surveyed& point);
     void follow(const EventView& event);
 
-    /// Once the run has ended: step by step.
+    /// The findings in the order of the steps. Call it once the run has ended.
     std::vector<Finding> findings();
 
-    /// How many decisions rest on each kind of coincidence, and the step of the first.
+    /// The number of decisions that rest on each kind of coincidence, and the step of the first.
     struct Zeros {
         std::uint64_t count = 0, first = 0;
     };
     const std::array<Zeros, coincidence_names.size()>& zeros() const { return zeros_; }
 
 private:
-    /// What was heard before its event came.
+    /// Decisions heard before their event came.
     struct Heard {
         Decision of;
         Finding finding;
@@ -75,7 +75,7 @@ private:
     std::array<Zeros, coincidence_names.size()> zeros_{};
 };
 
-/// Makes a run for its findings: of a kernel that is always right, the run under `exact`, which decides and tells the same.
+/// Executes a run for its findings. For a kernel that is always right it runs `exact`, whose decisions and events are the same.
 void find_in(RunRequest request, FindingList& findings);
 void find_in(FloatingHorizonRequest request, FindingList& findings);
 

@@ -108,7 +108,7 @@ constexpr std::array<std::string_view, 16> columns{"kind",   "step",  "at",    "
                                                    "pixels", "taken", "exact", "cause",     "coincidence", "computed",
                                                    "gap",    "sign",  "ulps",  "off"};
 
-/// In quotes where the format wants it.
+/// In quotes where the format requires them.
 void append_cell(Text& out, std::string_view text) {
     if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
         out += text;

@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-/// Which run the findings are of.
+/// The run that the findings belong to.
 struct FindingsHeader {
     std::string_view method;
     std::string edition;
@@ -20,7 +20,7 @@ struct FindingsHeader {
 FindingsHeader findings_header(const RunRequest& request);
 FindingsHeader findings_header(const FloatingHorizonRequest& request, const std::string& name);
 
-/// A line that says what run it is, and a line for each finding.
+/// A line that describes the run, and a line for each finding.
 std::string findings_jsonl(const FindingsHeader& header, const std::vector<Finding>& findings);
 
 /// A line of titles, and a line for each finding.

@@ -1,4 +1,4 @@
-/// JudgedDecision: a verdict with the numbers that the decision was taken on, to be kept.
+/// JudgedDecision: a verdict with copies of the numbers on which the decision was taken.
 #pragma once
 
 #include "format/verdict.h"

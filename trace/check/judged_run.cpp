@@ -6,7 +6,7 @@ namespace vidno {
 
 namespace {
 
-/// What an always right kernel decides is held against what `exact` decided, one after the other, until they part.
+/// Compares the decisions of an always right kernel with those of `exact`, in order, until they diverge.
 template <class Taken>
 class Comparison {
 public:
@@ -34,7 +34,7 @@ RunRequest exactly(const RunRequest& request, EventSink& sink) {
     return exact;
 }
 
-/// By the decisions that the events tell.
+/// Compares the decisions that events report.
 Picture compared_run(const RunRequest& request, const Followers& followers) {
     std::vector<Answer> right;
     HeardBy keep([&](const EventView& event) {
@@ -53,7 +53,7 @@ Picture compared_run(const RunRequest& request, const Followers& followers) {
     return told_run(compared, {.count = followers.count});
 }
 
-/// By the signs: Weiler and Atherton's algorithm decides more than it tells.
+/// Compares signs, since Weiler and Atherton's algorithm takes more decisions than its events report.
 Picture compared_weiler_atherton(const RunRequest& request, const Followers& followers) {
     std::vector<Sign> right;
     const HearSign keep = [&](Sign sign) { right.push_back(sign); };

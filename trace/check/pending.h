@@ -1,4 +1,4 @@
-/// Pending: what was heard of decisions since the last event, until the event comes that tells them or is the first to follow them.
+/// Pending: the decisions heard since the last event, kept until the event that reports them or is the first after them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class Pending {
 public:
     void add(T heard) { heard_.push_back(std::move(heard)); }
 
-    /// Those of this event, in their order. ShowLine finds its columns before it tells the slope, and tells them after it.
+    /// The decisions of this event, in order. ShowLine finds its columns before it reports the slope, and reports them after it.
     std::vector<T> told_by(const EventView& event) {
         if (heard_.empty() || !event.get_if<event::Slope>()) return rest();
         const auto waits = [](const T& each) {
@@ -28,7 +28,7 @@ public:
         heard_.erase(waiting, heard_.end());
         return std::exchange(heard_, std::move(later));
     }
-    /// Those that no event follows.
+    /// The decisions that no event follows.
     std::vector<T> rest() { return std::exchange(heard_, {}); }
 
 private:

@@ -16,10 +16,10 @@ namespace {
 
 using Words = Failure::Words;
 
-/// A run that goes on for longer shows what it shows before.
+/// A longer run shows its failure within this many steps.
 constexpr std::uint64_t most_steps = 20'000;
 
-/// Ends a run that has shown what it had to.
+/// Thrown to end a run once it has shown its failure.
 struct Enough {};
 
 using HearStep = std::function<void(std::uint64_t step, const EventView& event)>;
@@ -28,7 +28,7 @@ Method method_of(const NamedRun& run) {
     return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
 }
 
-/// Tells each step of a run, up to the end or until `hear` has heard enough.
+/// Passes each step of a run to `hear`, up to the end or until it has heard enough.
 void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, const Judge* judge = nullptr) {
     std::uint64_t steps = 0;
     HeardBy sink([&](const EventView& event) {
@@ -66,7 +66,7 @@ std::string text_of(double number) {
     return text.string();
 }
 
-/// The first decision that exact arithmetic takes otherwise.
+/// The first decision on which exact arithmetic differs.
 std::optional<SeenFailure> first_wrong(const Failure& failure) {
     std::optional<Verdict> wrong;
     const Judge judge = [&](const Verdict& verdict) {
@@ -87,7 +87,7 @@ std::optional<SeenFailure> first_wrong(const Failure& failure) {
     return SeenFailure{step, {of + ": " + taken + ", exactly " + exact, of + ": " + taken + ", точно " + exact}, told};
 }
 
-/// The step that painted a pixel last, and the colour.
+/// The last step that painted a pixel, and the colour.
 struct Painted {
     std::optional<std::uint64_t> step;
     std::optional<Color> color;
@@ -116,7 +116,7 @@ Painted painted(const AnyScene& scene, const NamedRun& run, const std::pair<int,
     return last;
 }
 
-/// Which polygon shows where this was painted.
+/// The polygon that shows where this was painted.
 Words shown(const Painted& last, const Scene& scene) {
     const auto of_color = [&](const ScenePolygon& polygon) { return polygon.color == last.color; };
     const auto found = std::find_if(scene.polygons.begin(), scene.polygons.end(), of_color);
@@ -142,13 +142,13 @@ bool is_over_place(const event::DrawLine& line, double x) {
     return number_of(line.from.x) <= x && x <= number_of(line.to.x);
 }
 
-/// Whether a curve is drawn somewhere, and the step at which one sees that.
+/// Whether a curve is drawn at a place, and the step that shows it.
 struct Drawn {
     std::optional<std::uint64_t> step;
     bool is_drawn = false;
 };
 
-/// The step that draws a curve over an x or, if none does, the last at which its segment there is looked at.
+/// The step that draws a curve over an x or, if none does, the last that examines its segment there.
 Drawn drawn_over(const Failure& failure, int curve, auto x, auto&& is_over) {
     bool is_in_curve = false;
     std::optional<std::uint64_t> drawn, looked;
@@ -222,7 +222,7 @@ SeenFailure seen_windows(const Failure& failure) {
     return {{}, {more + " windows, not " + fewer, "окон " + more + ", а не " + fewer}, {}};
 }
 
-/// Of the intersections that both runs compute, one after the other, the one that differs most.
+/// The intersection that differs most between the two runs, compared in their order.
 SeenFailure seen_off(const Failure& failure) {
     using Cut = std::pair<std::uint64_t, double>;
     const auto cuts = [&](const NamedRun& run) {

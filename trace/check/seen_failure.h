@@ -1,4 +1,4 @@
-/// SeenFailure: at which step of its run a failure is seen, and what is there.
+/// SeenFailure: the step of its run at which a failure is seen, and what is seen there.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,19 @@
 namespace vidno {
 
 struct SeenFailure {
-    /// Of a trace of level `signs`: the first wrong decision, or the step that is seen to be wrong. None if no one step shows it.
+    /// The step in a trace of level `signs`: that of the first wrong decision, or one that is visibly wrong. None if no single step shows
+    /// the failure.
     std::optional<std::uint64_t> step;
-    /// What was decided and what is exact, or what is painted and what should be.
+    /// The decision and the exact one, or the painted colour and the right one.
     Failure::Words there;
-    /// The event of that step, if it tells a wrong decision.
+    /// The event of that step, if it reports a wrong decision.
     std::optional<Event> event;
 };
 
-/// Runs a failure that has a scene, as it fails and as it holds, as far as it takes to see it.
+/// Runs a failure that has a scene, both as it fails and as it holds, until the failure is seen.
 SeenFailure seen(const Failure& failure);
 
-/// Traces a failure that has a scene as it fails, on level `signs`; one that goes on and on is cut.
+/// Traces a failure that has a scene as it fails, at level `signs`. A trace that is too long is cut short.
 void write_failing_run(const Failure& failure, std::function<void(std::string_view)> write);
 
 }  // namespace vidno

@@ -13,11 +13,11 @@ namespace {
 
 using Place = Point<Rational>;
 
-/// The whole number low <= i < end that is the floor of one in that range; the last of them, if it is the end itself.
+/// The floor of a number as a whole number low <= i < end; for the number `end` itself, the last of them.
 int floor_of(const Rational& value, int low, int end) { return Exact{}.last_centre(value + Rational(1) / 2, low, end); }
 
-/// What of each pixel of a row a region covers. It is the sum, over the edges, of what lies between the edge and the pixel's left
-/// side, positive or negative as the edge goes down or up.
+/// The part of each pixel of a row that a region covers. It is the sum, over the edges, of the area between the edge and the pixel's left
+/// side, positive for an edge that goes down and negative for one that goes up.
 class RowOfPixels {
 public:
     RowOfPixels(const Area& area, int row)
@@ -35,7 +35,7 @@ public:
         add_in_row(at_row(down ? top : bottom), at_row(down ? bottom : top));
     }
 
-    /// take(column, area) for each pixel of which something is covered.
+    /// Calls take(column, area) for each pixel that is at least partly covered.
     void for_each_covered(auto&& take) const {
         Rational to_the_right = 0;
         for (int x = area_.right() - 1; x >= area_.x; --x) {

@@ -1,4 +1,4 @@
-/// VisibleAreas: how much of each pixel shows which colour, by the visible regions of Weiler and Atherton's algorithm, exactly.
+/// VisibleAreas: the exact area of each colour in each pixel, by the visible regions of Weiler and Atherton's algorithm.
 #pragma once
 
 #include <utility>
@@ -12,7 +12,7 @@ class VisibleAreas {
 public:
     explicit VisibleAreas(const Scene& scene);
 
-    /// How much of the area a picture of it shows in a wrong colour, in pixels.
+    /// How much of the area a picture shows in a wrong colour, in pixels.
     double wrong_in(const Picture& picture) const;
 
 private:

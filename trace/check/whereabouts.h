@@ -1,4 +1,4 @@
-/// Whereabouts: what a decision of a run is about, by the events before it: its polygons, and the pixels whose colour it may change.
+/// Whereabouts: the subject of a decision, by the events before it: its polygons, and the pixels whose colour it may change.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@ public:
     /// Hears every event of level `signs`.
     void follow(const EventView& event);
 
-    // Of the decisions that this event tells, or is the first to follow; asked before the event is followed. Not known before `draw`:
-    // the polygon of FillPolygon.
+    // For the decisions that this event reports or is the first to follow. Query them before the event is heard. The polygon of
+    // FillPolygon is not known before `draw`.
 
     std::vector<PolygonPlace> polygons(const EventView& event) const;
 
-    /// With the pixel, a column or a row, next to whose centre the decision was taken.
+    /// With the column or row of the pixel next to whose centre the decision was taken.
     PixelRectangle pixels(const EventView& event, std::optional<int> pixel) const;
 
 private:
@@ -34,7 +34,7 @@ private:
 
     Area area_;
     std::optional<Window> window_;       // of Warnock's algorithm
-    Nearest polygon_;                    // the last one that was named
+    Nearest polygon_;                    // the last one named
     std::array<Nearest, 4> at_corners_;  // nearest so far
     Nearest at_point_;
     std::vector<Nearest> shown_;  // by the Z-buffer, pixel by pixel

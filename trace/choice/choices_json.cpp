@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The named editions of a method, each with the kernels under which `runs` says that it runs.
+/// The named editions of a method, each with the kernels that run it according to `runs`.
 Json editions_of(auto&& runs) {
     Json editions;
     for (const auto& named : named_editions) {

@@ -1,5 +1,5 @@
-/// Deviation: one place of a procedure that may be run otherwise than corrected. The defects of the printed text and the usual mistakes
-/// are one table: editions, command line, page and atlas take them from it.
+/// Deviation: a place of a procedure that may run differently from the corrected text. The defects of the printed text and the usual
+/// mistakes are one table, from which editions, command line, page and atlas take them.
 #pragma once
 
 #include <algorithm>
@@ -50,16 +50,16 @@ enum class Deviation : unsigned char {
 };
 
 struct DeviationChoice {
-    std::string_view defect{};    // its id, if the printed text has it
+    std::string_view defect{};    // the id of the defect, if the printed text has it
     std::string_view mistake{};   // its name as an edition, if it is a usual mistake
     Bilingual title;              // of a defect, its id
     Bilingual says;               // what it does
     std::span<const Line> lines;  // of the listings, which it changes
-    // How a usual mistake writes these lines, in their order. What the printed text writes, the listings say.
+    // How a usual mistake writes these lines, in order. The listings have the lines of the printed text.
     std::array<Bilingual, 2> reads{};
     std::span<const Method> methods;  // none: the floating horizon
     std::string_view witness;         // the file of lessons/failures that shows it, without its ending
-    Bilingual advice{};  // to those whose program makes the mistake; none where students write no such method
+    Bilingual advice{};  // for students whose program makes the mistake; none if they do not write such a method
 };
 
 namespace deviation {
@@ -74,7 +74,7 @@ constexpr Bilingual untranslated(std::string_view text) { return {text, text}; }
 
 }  // namespace deviation
 
-/// By the places of Deviation.
+/// Indexed by Deviation.
 inline constexpr auto deviations = [] {
     using namespace deviation;
     using enum Line;
@@ -96,7 +96,7 @@ inline constexpr auto deviations = [] {
          .witness = "x-w2"},
         {.defect = "x-w3",
          .title = untranslated("X-W3"),
-         .says = {"a polygon that is nearest at all four corners leaves the surrounding one before it in force",
+         .says = {"a polygon that is nearest at all four corners leaves the earlier surrounding one valid",
                   "многоугольник, ближайший во всех четырёх углах, не отменяет охватывающий, найденный до него"},
          .lines = at<PW7>,
          .methods = of<warnock>,
@@ -145,7 +145,7 @@ inline constexpr auto deviations = [] {
          .witness = "x-z1-alone"},
         {.defect = "x-z2",
          .title = untranslated("X-Z2"),
-         .says = {"a line is passed over only if it lies to the left and to the right of the area at once: never",
+         .says = {"a line is skipped only if it lies both to the left and to the right of the area, that is, never",
                   "строка пропускается, только если лежит сразу и левее, и правее области, то есть никогда"},
          .lines = at<L2>,
          .methods = of<zbuffer>,
@@ -214,7 +214,7 @@ inline constexpr auto deviations = [] {
          .witness = "x-h4"},
         {.defect = "x-h5",
          .title = untranslated("X-H5"),
-         .says = {"samples alone are looked at, not the columns between them",
+         .says = {"only samples are examined, not the columns between them",
                   "рассматриваются только отсчёты, а не столбцы между ними"},
          .lines = at<FH5>,
          .methods = of_curves,
@@ -274,7 +274,7 @@ inline constexpr auto deviations = [] {
                     "изображение перевёрнуто: y растёт вниз, строка 0 — верхняя"}},
         {.mistake = "depth-sign-reversed",
          .title = {"sign of z reversed", "обратный знак z"},
-         .says = {"the smaller z is the nearer", "ближе тот, у кого z меньше"},
+         .says = {"the smaller z is nearer", "ближе тот, у кого z меньше"},
          .lines = at<D1>,
          .reads = {{untranslated("z := (a·x + b·y + d) / c")}},
          .methods = of<warnock, zbuffer>,
@@ -330,7 +330,7 @@ inline constexpr auto deviations = [] {
          .witness = "mistake-vertex-counted-twice"},
         {.mistake = "octants-not-split",
          .title = {"half angle not split", "развёрнутый угол не разбит"},
-         .says = {"an edge seen under half of a full angle is not split",
+         .says = {"an edge seen under half of a full turn is not split",
                   "ребро, видимое под развёрнутым углом, не разбивается"},
          .lines = at<OA4>,
          .reads = {{{"if Δ = ±4: Δ as it is", "если Δ = ±4: Δ как есть"}}},

@@ -1,4 +1,4 @@
-/// Edition: which text of the procedures is run: the corrected one with a set of deviations.
+/// Edition: the text of the procedures that runs: the corrected one with a set of deviations.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +61,7 @@ constexpr bool is_mistake(Edition edition) {
 struct NamedEdition {
     Edition edition;
     std::string_view name, rule;
-    Bilingual title;  // on the page; of a mistake, what it is
+    Bilingual title;  // on the page; for a mistake, its description
 };
 
 inline constexpr auto named_editions = [] {
@@ -70,7 +70,7 @@ inline constexpr auto named_editions = [] {
     std::array<NamedEdition, 2 + mistakes> named{
         NamedEdition{Edition::corrected,
                      "corrected",
-                     "the procedures with the errors of the printed text put right",
+                     "the procedures with the errors of the printed text corrected",
                      {"corrected", "исправленный текст"}},
         NamedEdition{Edition::printed,
                      "printed",
@@ -85,10 +85,10 @@ inline constexpr auto named_editions = [] {
     return named;
 }();
 
-/// What the names of single defects follow: "printed:x-w2+x-w4".
+/// The prefix of names of single defects: "printed:x-w2+x-w4".
 inline constexpr std::string_view single_defects = "printed:";
 
-/// The defect of the printed text with that id.
+/// The defect of the printed text with this id.
 inline std::optional<Deviation> defect_named(std::string_view id) {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         if (!id.empty() && deviations[i].defect == id) return Deviation(i);
@@ -124,7 +124,7 @@ inline std::optional<Edition> edition_named(std::string_view name) {
     }
 }
 
-/// Whether there is such a text of a method; `concerns(choice)` says whether a deviation is one of the method's.
+/// Whether a method has such a text; `concerns(choice)` says whether a deviation concerns the method.
 constexpr bool has_text(Edition edition, auto&& concerns) {
     if (edition == Edition::corrected) return true;
     bool any = false, all = true;

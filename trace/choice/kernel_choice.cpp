@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// The whole of the text as a number.
+/// The whole text as a number.
 std::optional<int> whole_number(std::string_view text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.begin(), text.end(), number);

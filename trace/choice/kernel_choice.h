@@ -1,4 +1,4 @@
-/// KernelChoice: the kernels by name, and what each can do.
+/// KernelChoice: the kernels by name, and their capabilities.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct KernelChoice {
     std::string_view name;
     std::string_view rule;
     Bilingual says;  // on the page: what it computes with, and whether its decisions can be wrong
-    /// Whether a wrong decision or pixel would be an error of the program; under `grid`, of the snapped scene.
+    /// Whether a wrong decision or pixel would be an error of the program; under `grid`, for the snapped scene.
     bool is_always_right = false;
     bool snaps = false;  // takes a scene that was snapped
     bool runs_printed = true;
@@ -39,7 +39,7 @@ struct KernelChoice {
     bool runs_family = true;        // the Warnock family
     bool constructs_points = true;  // for Weiler and Atherton's algorithm and the floating horizon
 
-    /// The floating horizon: it takes samples as they are, and has no depths to store.
+    /// Whether it runs the floating horizon, which takes samples unchanged and stores no depths.
     constexpr bool runs_floating_horizon(Edition edition) const {
         return constructs_points && has_text_of_curves(edition) && runs_text(edition);
     }
@@ -58,19 +58,19 @@ private:
     }
 };
 
-/// By the places of KernelKind.
+/// Indexed by KernelKind.
 inline constexpr std::array kernel_choices{
     KernelChoice{
         .kind = KernelKind::binary32,
         .name = "float",
-        .rule = "IEEE binary32; decisions as they fall",
+        .rule = "IEEE binary32; decisions follow from the rounded values",
         .says =
             {"Numbers of 24 significant bits (IEEE binary32). Results are rounded, so decisions can go wrong.",
              "Числа с 24 значащими битами (IEEE binary32). Результаты округляются, поэтому решения бывают неверными."}},
     KernelChoice{
         .kind = KernelKind::binary64,
         .name = "double",
-        .rule = "IEEE binary64; decisions as they fall",
+        .rule = "IEEE binary64; decisions follow from the rounded values",
         .says =
             {"Numbers of 53 significant bits (IEEE binary64). Results are rounded, so decisions can go wrong.",
              "Числа с 53 значащими битами (IEEE binary64). Результаты округляются, поэтому решения бывают неверными."},
@@ -78,7 +78,7 @@ inline constexpr std::array kernel_choices{
     KernelChoice{
         .kind = KernelKind::bits,
         .name = "bits",
-        .rule = "every result rounded to P bits; decisions as they fall",
+        .rule = "every result rounded to P bits; decisions follow from the rounded values",
         .says = {"Each result is rounded to that many significant bits, so that rounding is easy to see.",
                  "Каждый результат округляется до указанного числа значащих битов: погрешность легко увидеть."},
         .parameter = {{'P', fewest_bits, most_bits, {8, 12}}}},
@@ -118,7 +118,7 @@ inline constexpr std::array kernel_choices{
                  .runs_mistakes = true},
 };
 
-/// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
+/// A kernel by its name: `double`, `bits:12`, `grid` for `grid:8`.
 struct NamedKernel {
     const KernelChoice* choice;
     int parameter = 0;  // if the choice has one
@@ -129,16 +129,16 @@ struct NamedKernel {
     bool is_always_right() const { return choice->is_always_right; }
 };
 
-/// None if no kernel has that name, or its parameter is missing or out of range.
+/// None if no kernel has this name, or its parameter is missing or out of range.
 std::optional<NamedKernel> kernel_named(std::string_view name);
 
-/// The one that is always right; it takes every scene and edition.
+/// The kernel that is always right; it takes every scene and edition.
 NamedKernel exact_kernel();
 
-/// The names that there are: "float, double, bits:P (4 <= P <= 24), ...".
+/// All names: "float, double, bits:P (4 <= P <= 24), ...".
 std::string kernel_names();
 
-/// Those that can do something, or cannot: "double and exact".
+/// The names of the kernels that have a capability, or lack it: "double and exact".
 std::string kernels_that(bool KernelChoice::*can, bool it = true);
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// Method: what each algorithm does, for which scenes, and what it paints, for the program.
+/// Method: what each algorithm does, which scenes it takes, and what it paints.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace vidno {
 
-/// What a method takes and paints.
+/// The input and the picture of a method.
 struct MethodRule {
     std::string_view domain, rule;
 };
@@ -24,7 +24,7 @@ inline constexpr MethodRule picture_rule{
 
 struct MethodChoice {
     std::string_view does;
-    Bilingual title;  // on the page and in charts; of a variant of Warnock's algorithm, how it differs
+    Bilingual title;  // on the page and in charts; for a variant of Warnock's algorithm, how it differs
     Bilingual says;   // on the page: what it takes and does
     Procedure procedure = Procedure::three_lists_warnock;  // the first one
     MethodRule rule = picture_rule;
@@ -32,10 +32,10 @@ struct MethodChoice {
     bool cuts_anywhere = false;        // it cuts windows along any boundary of pixels; the others halve them
 };
 
-/// Why a scene does not consist of closed convex bodies, if it does not.
+/// Why a scene does not consist of closed convex bodies, if so.
 std::optional<std::string> refuses_bodies(const Scene& scene);
 
-/// By the places of Method.
+/// Indexed by Method.
 inline constexpr std::array method_choices{
     MethodChoice{
         .does = "look at a window; paint it if it is plain, else split it",
@@ -126,18 +126,18 @@ inline constexpr MethodChoice floating_horizon_choice{
 
 constexpr const MethodChoice& choice_of(Method method) { return method_choices[std::size_t(method)]; }
 
-/// Under an always right kernel it paints what the method should.
+/// The method that, under an always right kernel, paints what this method should.
 constexpr Method reference_of(Method method) {
     return choice_of(method).rule.rule == picture_rule.rule ? Method::zbuffer : method;
 }
 
-/// Those whose every step is a line of the course's procedures: what students are asked about.
+/// The methods whose every step is a line of the course's procedures, so that students are asked about them.
 inline constexpr std::array course_methods{Method::warnock, Method::zbuffer};
 inline constexpr std::array course_method_names{method_names[0], method_names[1]};
 
 constexpr bool is_of_course(Method method) { return method == Method::warnock || method == Method::zbuffer; }
 
-/// Why the method does not take the scene, if it does not.
+/// Why the method does not take the scene, if so.
 inline std::optional<std::string> refusal_of(Method method, const Scene& scene) {
     return choice_of(method).takes_closed_bodies ? refuses_bodies(scene) : std::nullopt;
 }

@@ -1,4 +1,4 @@
-/// The colours of polygons that name none.
+/// The colours of polygons without a colour of their own.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// Colours that stay apart for colour-blind eyes and in grey.
+/// Colours that colour-blind people can distinguish, also in grey.
 ///
 /// Source  M. Okabe and K. Ito, Color universal design, 2008.
 inline constexpr std::array<Color, 7> palette{{{0xe6, 0x9f, 0x00},
@@ -19,7 +19,7 @@ inline constexpr std::array<Color, 7> palette{{{0xe6, 0x9f, 0x00},
                                                {0xcc, 0x79, 0xa7},
                                                {0xf0, 0xe4, 0x42}}};
 
-/// The colour of the polygon at this place of its scene, if it names none.
+/// The colour of the polygon with this index in its scene, if it has none of its own.
 constexpr Color default_color(std::size_t place) { return palette[place % palette.size()]; }
 
 }  // namespace vidno

@@ -19,7 +19,7 @@ struct ChartOptions {
     AxisOptions axes;  // of the figure
 };
 
-/// Refuses a wrong name, and what would be missing in the end, before the work.
+/// Refuses a wrong name, and an output that could not be written, before the work.
 void expect_format(const ChartOptions& options, bool of_surfaces) {
     const std::string& output = options.output;
     if (output == "-" || output.ends_with(".json") || output.ends_with(".csv")) return;
@@ -99,11 +99,11 @@ void add_chart(CLI::App& program, int& status) {
         .add_option("SCENE", options->scenes,
                     "Scene files, vidno-scene/1, or surface files, vidno-surface/1, with a function")
         ->required();
-    add_axes(command, options->axes, "What .svg has from left to right [time]");
+    add_axes(command, options->axes, "The horizontal axis of .svg [time]");
     command.add_option("-o", options->output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")
         ->required();
     command.footer(
-        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; of surfaces samples a\n"
+        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; for surfaces samples a\n"
         "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
         "exactly.\n"
         "The page has all costs and errors to choose from, says which run is needed and why, and leads from each to\n"

@@ -16,14 +16,14 @@ namespace vidno::cli {
 
 namespace {
 
-/// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
+/// A scene, or a trace whose scene is run again. Options that are not given are those of the trace, or the defaults.
 struct CheckOptions {
     std::string input, list;
     std::optional<std::string> method, kernel, edition;
     std::size_t narrowest = 20;
 };
 
-/// What a trace says of its run, or for a scene the defaults.
+/// The options of a trace's own run, or for a scene the defaults.
 using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
 AnyHeader run_of(const CheckOptions& options) {
@@ -104,7 +104,7 @@ void print_narrowest(const std::vector<Finding>& findings) {
               << ", " << narrowest->gap->ulps << " ulps from zero\n";
 }
 
-/// The report of a run, which `progress` is told of; and its findings.
+/// The report of a run and its findings. `progress` is called at each step.
 auto checked(auto request, FindingList& findings, auto&&... right) {
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
@@ -172,7 +172,7 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("check", "Run a scene and hold every decision against the truth");
+    auto& command = *program.add_subcommand("check", "Run a scene and compare every decision with the truth");
     const auto options = std::make_shared<CheckOptions>();
     command
         .add_option("SCENE|TRACE", options->input,
@@ -180,7 +180,7 @@ void add_check(CLI::App& program, int& status) {
         ->required();
     command
         .add_option("--method", options->method,
-                    "Which algorithm [warnock, of a surface floating-horizon, or the trace's]")
+                    "Which algorithm [warnock; for a surface floating-horizon; or the trace's]")
         ->check(CLI::IsMember(all_methods()));
     command.add_option("--kernel", options->kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel());
@@ -190,12 +190,12 @@ void add_check(CLI::App& program, int& status) {
     command
         .add_option("--list", options->list,
                     "Where to list the decisions that are wrong, that rest on an exact coincidence, or are narrow "
-                    "(.csv, .jsonl; FORMAT.md says how)")
+                    "(.csv, .jsonl; see FORMAT.md)")
         ->type_name("FILE");
     command.add_option("--narrowest", options->narrowest, "How many of the narrowest decisions to list [20]")
         ->type_name("N");
     command.footer(
-        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
+        "A decision is wrong because it rounded, or because its numbers had drifted from those of the scene.\n"
         "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong, or a constructed\n"
         "point lies more than half a pixel from the exact one.");
     command.callback([options, &status] { status = check(*options); });

@@ -28,7 +28,8 @@ struct Candidate {
     RunRequest request() const { return {method, kernel, Edition::corrected, scene}; }
 };
 
-/// Each method that paints the picture rule and nothing but paints, under each kernel that is cheaper than exact rationals and takes the scene.
+/// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene. Methods that do
+/// more than paint are left out.
 std::vector<Candidate> candidates_for(const Scene& scene) {
     const NamedKernel grid = *kernel_named("grid");
     std::optional<Scene> on_grid;
@@ -56,8 +57,8 @@ std::uint64_t sum_of(const auto& counts) {
     return sum;
 }
 
-/// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic. False
-/// if one was not confirmed.
+/// Confirms that the picture is right: compares each decision of the run under `filtered` with exact arithmetic. False if one was not
+/// confirmed.
 bool print_certificate(const Candidate& chosen, const Scene& scene) {
     const RunRequest filtered{chosen.method, *kernel_named("filtered"), Edition::corrected, scene};
     const CheckReport certain = check_run(filtered, right_picture(scene));

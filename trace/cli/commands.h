@@ -1,7 +1,7 @@
-/// The commands of the program, each in a file of its name.
+/// The commands of the program, each in a file with its name.
 ///
-/// `add_...` adds a command with its options. When the command line asks for it, it runs and sets the exit status: 0 done, 1 done and
-/// something was found. It throws Refused for what it does not take.
+/// `add_...` adds a command with its options. If the command line names it, it runs and sets the exit status: 0 done, 1 done and
+/// something was found. It throws Refused for input that it does not take.
 #pragma once
 
 #include <CLI/CLI.hpp>

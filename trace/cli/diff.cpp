@@ -12,7 +12,7 @@ struct DiffOptions {
     std::string first, second;
 };
 
-/// A trace of which only the events count.
+/// A trace, reduced to its events.
 struct Told {
     AnyTraceReader reader;
     EventText text;
@@ -54,7 +54,7 @@ void add_diff(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("diff", "Find the first step where two traces part");
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->first, "A trace")->required();
-    command.add_option("B", options->second, "Another, for example of another kernel")->required();
+    command.add_option("B", options->second, "Another trace, for example under another kernel")->required();
     command.footer("Headers are not compared. Exit status 1: the traces part.");
     command.callback([options, &status] { status = diff(*options); });
 }

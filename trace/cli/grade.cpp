@@ -57,7 +57,7 @@ std::string page_of(const SceneGrade& grade, const Words& say) {
     return trace_page(content);
 }
 
-/// Writes the page and says its address, at the wrong step.
+/// Writes the page and prints its address, at the wrong step.
 void write_page(const SceneGrade& grade, const std::string& file, const Words& say) {
     if (!grade.run.header) throw Refused(file + ": there is no trace to be shown");
     write_file(file, page_of(grade, say));
@@ -97,7 +97,7 @@ Grading grading_of(const GradeOptions& options) {
     return grading;
 }
 
-/// A program that never tells anything that can be judged is none to be graded: why, or empty.
+/// Why a program cannot be graded, since it never reports anything that can be judged; empty if it can.
 std::string mute(const ProgramGrade& grade) {
     const auto is_mute = [](const SceneGrade& each) {
         return !each.judgement && each.run.ended.ending == Ending::done;
@@ -162,7 +162,8 @@ bool page_is_built() {
     }
 }
 
-/// Into the table's folder, which has its name without the ending, a report of each program; of a wrong one a page too, if the page was built.
+/// Writes a report of each program into the folder named like the table without its extension, and a page of each wrong one if the page
+/// was built.
 int grade_folder(const GradeOptions& options, const Grading& grading) {
     const std::vector<std::filesystem::path> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
@@ -234,7 +235,7 @@ void add_grade(CLI::App& program, int& status) {
     command.add_option("--random", options->random, "How many random scenes to add to that set")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Of the random scenes")->capture_default_str();
+    command.add_option("--seed", options->seed, "The seed of the random scenes")->capture_default_str();
     command.add_option("--detail", options->detail, "Claims of this level must be told, or the exit status is 1")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
@@ -244,7 +245,7 @@ void add_grade(CLI::App& program, int& status) {
     command.add_flag("--first", options->first, "Stop at the first scene that goes wrong, and look for no smaller one");
     command.add_flag("--no-sandbox", options->no_sandbox,
                      "Run the program with access to your files and to the network");
-    command.add_option("--language", options->language, "Of the report")
+    command.add_option("--language", options->language, "The language of the report")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
     command.add_option("-o", options->output,

@@ -22,7 +22,7 @@ struct HomeworkOptions {
     std::uint64_t seed = 1;
 };
 
-/// From 01: as many digits as the last one has, so that names sort as numbers.
+/// From 01, with as many digits as the last number, so that names sort as numbers.
 std::string number_of(std::size_t place, std::size_t count) {
     const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
     const std::string number = std::to_string(place + 1);
@@ -57,21 +57,21 @@ int homework(const HomeworkOptions& options) {
 void add_homework(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
     const auto options = std::make_shared<HomeworkOptions>();
-    command.alias("variants");  // as it was called before
+    command.alias("variants");  // its former name
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();
     command.add_option("--count", options->count, "How many")
         ->check(CLI::Range(std::size_t{1}, most_exercises))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Another one, other scenes")->capture_default_str();
-    command.add_option("--method", options->method, "By which algorithm they are as hard")
+    command.add_option("--seed", options->seed, "The seed; another one gives other scenes")->capture_default_str();
+    command.add_option("--method", options->method, "The algorithm by which they are equally hard")
         ->check(CLI::IsMember(words(course_method_names)))
         ->capture_default_str();
-    command.add_option("-o", options->output, "The folder, which is not there yet: 01.json and so on")->required();
+    command.add_option("-o", options->output, "The folder, which must not exist yet: 01.json and so on")->required();
     command.footer(
-        "As hard: the same lines of the listing are reached and the same cases met, as often but for a tenth.\n"
+        "Equally hard: a run reaches the same lines of the listing and the same cases, as often within a tenth.\n"
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
-        "Exit status 1: there are fewer than wanted.");
+        "Exit status 1: fewer were found than requested.");
     command.callback([options, &status] { status = homework(*options); });
 }
 

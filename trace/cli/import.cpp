@@ -38,21 +38,20 @@ void add_length(CLI::App& command, ImportOptions& import, const std::string& nam
 
 /// The options that place the camera.
 void add_camera_options(CLI::App& command, ImportOptions& import) {
-    command.add_option("--width", import.width, "Of the picture, in pixels")
+    command.add_option("--width", import.width, "The width of the picture, in pixels")
         ->check(CLI::Range(1, largest_side))
         ->capture_default_str();
-    command.add_option("--height", import.height, "Of the picture, in pixels")
+    command.add_option("--height", import.height, "The height of the picture, in pixels")
         ->check(CLI::Range(1, largest_side))
         ->capture_default_str();
     auto& camera = *command.add_option_group("Camera", "Without --eye it shows the whole mesh, a little from above");
-    add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
-    add_vector(camera, import, "--target", &Camera::target, "What it looks at; the origin if not said");
-    add_vector(camera, import, "--up", &Camera::up, "What is up; 0 1 0 if not said");
-    add_length(camera, import, "--fov", &Camera::field_of_view,
-               "Perspective: the vertical angle; 45 degrees if not said");
-    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the height that is seen");
-    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off; 0.1 if not said");
-    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off; 100 if not said");
+    add_vector(camera, import, "--eye", &Camera::eye, "The place of the camera");
+    add_vector(camera, import, "--target", &Camera::target, "The point that it looks at [0 0 0]");
+    add_vector(camera, import, "--up", &Camera::up, "The upward direction [0 1 0]");
+    add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle in degrees [45]");
+    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the visible height");
+    add_length(camera, import, "--near", &Camera::near_distance, "Cut off everything nearer [0.1]");
+    add_length(camera, import, "--far", &Camera::far_distance, "Cut off everything farther [100]");
     for (auto* option : camera.get_options()) {
         if (option->get_name() != "--eye") option->needs("--eye");
     }
@@ -78,7 +77,7 @@ void add_import(CLI::App& program, int& status) {
     command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
-    command.footer("Faces that are not planar or not convex are cut into triangles; what is dropped is said.");
+    command.footer("Faces that are not planar or not convex are cut into triangles; dropped faces are reported.");
     command.callback([options, &status] { status = import_scene(*options); });
 }
 

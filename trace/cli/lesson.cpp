@@ -24,7 +24,7 @@ struct LessonOptions {
     std::uint64_t step = 0;
 };
 
-/// Of a course that was built here before.
+/// Removes a course that was built here before.
 void remove_course(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -91,7 +91,7 @@ int print_pin(const LessonOptions& options) {
 void add_lesson(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("lesson", "Write a lesson: its first files, its pins, a check, the built course");
-    command.require_subcommand(0, 1);  // one; but a wrong one is told before none
+    command.require_subcommand(0, 1);  // one; 0 so that a wrong name is reported before a missing one
     const auto options = std::make_shared<LessonOptions>();
     const auto add_folders = [&options](CLI::App& sub) {
         sub.add_option("FOLDER", options->folders, "Folders of lessons")->required();
@@ -99,25 +99,25 @@ void add_lesson(CLI::App& program, int& status) {
 
     auto& made = *command.add_subcommand("new", "Make the folder of a lesson from a scene or a mesh");
     made.add_option("SCENE|MESH", options->source, "A scene or surface file, or a mesh: " + mesh_endings())->required();
-    made.add_option("-o", options->output, "The folder, which is not there yet")->required();
+    made.add_option("-o", options->output, "The folder, which must not exist yet")->required();
     made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
     made.callback([options, &status] { status = make_lesson(*options); });
 
-    auto& pin = *command.add_subcommand("pin", "Say how to pin a step, as a line for lesson.json");
+    auto& pin = *command.add_subcommand("pin", "Print a pin for a step, as a line for lesson.json");
     add_folders(pin);
-    pin.add_option("--run", options->run, "Of which run [the first]");
-    pin.add_option("--step", options->step, "Which step, as the page counts them")->required();
+    pin.add_option("--run", options->run, "The run [the first]");
+    pin.add_option("--step", options->step, "The step, as the page counts them")->required();
     pin.callback([options, &status] { status = print_pin(*options); });
 
-    auto& check = *command.add_subcommand("check", "Say what is wrong with lessons, with file and line");
+    auto& check = *command.add_subcommand("check", "Report errors in lessons, with file and line");
     add_folders(check);
-    check.footer("Exit status 1: something is wrong.");
+    check.footer("Exit status 1: there are errors.");
     check.callback([options, &status] { status = check_lessons(*options); });
 
     auto& build = *command.add_subcommand("build", "Trace lessons and place their pins, for the page");
     add_folders(build);
     build.add_option("-o", options->output, "The folder of the course")->required();
-    build.footer("Exit status 1: something is wrong, as lesson check says it; the rest is built.");
+    build.footer("Exit status 1: there are errors, as lesson check reports them; the rest is built.");
     build.callback([options, &status] { status = build_course(*options); });
 }
 

@@ -16,21 +16,21 @@ bool names_command(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* each) { return !each->get_name().empty(); }).empty();
 }
 
-/// Help is printed as CLI11 has it; every error is one line and status 2.
+/// Help is printed in CLI11's form; every error is one line and status 2.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::cerr << "vidno: " << error.what() << " (vidno --help)\n";
     return 2;
 }
 
-/// Stopped by a signal, the program leaves no part of a file behind, and ends by that signal.
+/// If a signal stops the program, it leaves no partial file behind and ends by this signal.
 void stop(int signal) {
     vidno::remove_unfinished_files();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
 
-/// `nohup` ignores some signals, and a sanitizer reports others: these stay as they are.
+/// `nohup` ignores some signals, and a sanitizer reports others; these are left alone.
 void stop_at(int signal) {
     if (const auto before = std::signal(signal, stop); before != SIG_DFL) std::signal(signal, before);
 }
@@ -40,7 +40,7 @@ void stop_at(int signal) {
 int main(int argc, char** argv) {
     for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGXCPU, SIGXFSZ, SIGFPE, SIGSEGV, SIGABRT}) stop_at(signal);
     CLI::App program{"vidno runs the textbook hidden-surface procedures one small step at a time.", "vidno"};
-    program.require_subcommand(0, 1);  // one; but a wrong one is told before none
+    program.require_subcommand(0, 1);  // one; 0 so that a wrong name is reported before a missing one
     program.set_version_flag("--version", "vidno " VIDNO_VERSION);
     program.get_formatter()->column_width(28);
     program.footer("vidno COMMAND --help says more. Exit status: 0 done; 1 done, and something was found; 2 refused.");

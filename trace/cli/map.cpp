@@ -39,7 +39,7 @@ void print(const SignMap& map) {
     std::cout << "differ: " << map.differing() << " of " << map.cells.size() << '\n';
 }
 
-/// That of a file: asked for, or the one at which a failure goes wrong.
+/// The decision of a file: a decision file, or the one at which a failure goes wrong.
 MappedDecision decision_in(const std::string& file) {
     const std::string text = read_file(file);
     if (is_surface(text)) throw Refused(file + ": a surface, and no decision to be mapped, vidno-question/1");
@@ -53,7 +53,7 @@ int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
-    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map do not lie on a grid");
     const MappedDecision decision = decision_in(options.decision);
     const SignMap drawn = sign_map(decision, kernel);
     if (!output.empty()) {
@@ -68,10 +68,9 @@ int map(const MapOptions& options) {
 }  // namespace
 
 void add_map(CLI::App& program, int& status) {
-    auto& command =
-        *program.add_subcommand("map", "Ask one decision at 256 x 256 places of a point, and the truth beside it");
+    auto& command = *program.add_subcommand("map", "Map one decision at 256 x 256 places of a point, beside the truth");
     const auto options = std::make_shared<MapOptions>();
-    command.add_option("DECISION", options->decision, "A file of a decision, vidno-question/1; - for standard input")
+    command.add_option("DECISION", options->decision, "A decision file, vidno-question/1; - for standard input")
         ->required();
     command.add_option("--kernel", options->kernel, "Which arithmetic decides")
         ->check(a_kernel())

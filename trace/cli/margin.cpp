@@ -25,7 +25,7 @@ std::pair<PolygonPlace, int> vertex_in(const Scene& scene, const std::string& na
     const auto polygon = std::find_if(scene.polygons.begin(), scene.polygons.end(),
                                       [&](const ScenePolygon& each) { return each.id == id; });
     if (dot == std::string::npos || polygon == scene.polygons.end()) {
-        throw Refused("--vertex " + name + ": no polygon of the scene and one of its vertices, as A.2");
+        throw Refused("--vertex " + name + ": not a polygon of the scene and one of its vertices, like A.2");
     }
     int vertex = -1;
     const char* const end = name.data() + name.size();
@@ -51,7 +51,7 @@ int margin(const MarginOptions& options) {
 
 void add_margin(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("margin", "Where a vertex may be moved to so that no sign of a step changes");
+        *program.add_subcommand("margin", "Find where a vertex may be moved without changing a sign of a step");
     const auto options = std::make_shared<MarginOptions>();
     add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm",
                     words(method_names));

@@ -16,7 +16,7 @@ void print(std::string_view name, const MethodChoice& choice) {
     std::cout << '\n';
 }
 
-/// Where the deviation is: its lines, and its methods.
+/// The lines and methods of the deviation.
 void print_place(const DeviationChoice& choice) {
     std::string_view before = "; ";
     for (const Line line : choice.lines) {
@@ -72,7 +72,7 @@ int print_methods(bool as_json) {
 }  // namespace
 
 void add_methods(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("methods", "What there is: methods, kernels, editions, levels");
+    auto& command = *program.add_subcommand("methods", "List the methods, kernels, editions and levels");
     const auto as_json = std::make_shared<bool>();
     command.add_flag("--json", *as_json, "As JSON: also which edition of which method runs under which kernel");
     command.callback([as_json, &status] { status = print_methods(*as_json); });

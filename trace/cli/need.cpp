@@ -46,7 +46,7 @@ void add_need(CLI::App& program, int& status) {
     command.add_option("-o", options->output, "The polygons and vertices that are needed, as a scene");
     command.footer(
         "Each line says what one less would change. Polygons and vertices are left out first; the rest is\n"
-        "asked of what remains, each with the others as they are.");
+        "tested on what remains, one thing at a time.");
     command.callback([options, &status] { status = need(*options); });
 }
 

@@ -32,7 +32,7 @@ std::string_view method_for(const Surface&) { return floating_horizon_method; }
 std::string text_of(const Scene& scene) { return scene_json(scene); }
 std::string text_of(const Surface& surface) { return surface_json(surface); }
 
-/// A failure as it is: the page runs it as it fails, goes to its step, and says what there is to see.
+/// A failure, unchanged: the page runs it as it fails, goes to its step, and says what can be seen.
 PageFile failure_file(const std::string& text, const std::string& file) {
     const Failure failure = read_failure(text, file);
     say(failure, file);
@@ -40,7 +40,7 @@ PageFile failure_file(const std::string& text, const std::string& file) {
     return {failure.title.english, method, kernel.name(), name_of(edition), RunOptions{}.detail, text, true};
 }
 
-/// A scene as it was admitted, to be run with the defaults; of a surface its samples.
+/// A scene as admitted, or a surface with its samples, to be run with the defaults.
 PageFile scene_file(const std::string& file) {
     const auto made = [&](const auto& scene) -> PageFile {
         const RunOptions run;
@@ -54,7 +54,7 @@ PageFile scene_file(const std::string& file) {
 std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
 std::string_view method_in(const FloatingHorizonHeader&) { return floating_horizon_method; }
 
-/// A trace, every event of which could be read.
+/// A trace, once every event could be read.
 PageFile trace_file(const std::string& file, bool& whole) {
     Progress progress("events");
     const auto read = [&](auto& reader) -> PageFile {
@@ -77,7 +77,7 @@ PageFile trace_file(const std::string& file, bool& whole) {
     return made;
 }
 
-/// False if something is wrong with the lesson, which is said.
+/// False if the lesson has errors, which are printed.
 bool add_lesson_to(PageContent& content, const std::string& folder) {
     Problems problems;
     const BuiltLesson built = built_lesson(folder, problems);
@@ -114,7 +114,7 @@ void add_page(CLI::App& program, int& status) {
                        "Scene files, failures, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
     command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
     command.footer(
-        "The page has all it shows in itself and opens the first one; a scene it runs itself.\n"
+        "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
         "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
         "Exit status 1: a trace was cut short or is partial; the page has what there is of it.");
     command.callback([options, &status] { status = page(*options); });

@@ -72,7 +72,7 @@ void add_render(CLI::App& program, int& status) {
     add_any_run_options(command, *options);
     command
         .add_option("-o", options->output,
-                    "The picture, .png or .ppm, of a surface its lines, .svg, .pdf, .png or .tex, of weiler-atherton "
+                    "The picture, .png or .ppm; for a surface its lines, .svg, .pdf, .png or .tex; for weiler-atherton "
                     "also its regions, .json, .svg, .pdf or .tex; - writes PPM or SVG to standard output")
         ->required();
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");

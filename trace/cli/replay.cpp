@@ -28,14 +28,14 @@ FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
 std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.lines()); }
 
-/// What was painted or drawn, in the format that the name says.
+/// The painted picture or the drawn lines, in the format given by the file name.
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
 std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
     return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
 }
 
-/// What the file says of itself against what was read.
+/// Compares the file's last line with what was read.
 int verdict(const TraceFile& trace, const auto& state) {
     if (!is_whole(trace)) return 1;
     if (trace.end()->hash != hash_of(state)) {
@@ -80,12 +80,12 @@ void add_replay(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     const auto options = std::make_shared<ReplayOptions>();
     command.add_option("TRACE", options->trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
-    command.add_option("--step", options->step, "After so many events; without it, at the end");
+    command.add_option("--step", options->step, "The number of events [all]");
     command
-        .add_option(
-            "-o", options->output,
-            "The picture, .png or .ppm, of curves .svg, .pdf, .png or .tex; or .json: the whole state at that step; or "
-            ".jsonl: at every step")
+        .add_option("-o", options->output,
+                    "The picture, .png or .ppm; for curves .svg, .pdf, .png or .tex; or .json: the whole state at that "
+                    "step; or "
+                    ".jsonl: at every step")
         ->required();
     command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
     command.callback([options, &status] { status = replay(*options); });

@@ -20,7 +20,7 @@ struct ShrinkOptions : RunOptions {
     std::string at;  // the label of a line, for "decision"
 };
 
-/// A run of each scene that shrinking tries.
+/// Runs each scene that shrinking tries.
 class Trial {
 public:
     explicit Trial(const RunOptions& options)
@@ -50,7 +50,7 @@ private:
     Edition edition_;
 };
 
-/// The procedure that is the first to decide wrongly.
+/// The procedure of the first wrong decision.
 std::optional<Procedure> first_wrong(const CheckReport& report) {
     std::optional<Procedure> procedure;
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
@@ -62,7 +62,7 @@ std::optional<Procedure> first_wrong(const CheckReport& report) {
     return procedure;
 }
 
-/// What the options say is to be kept; the scene must have it.
+/// The property that the options ask to keep; the scene must have it.
 Property property_of(const ShrinkOptions& options, const Trial& trial, const Scene& scene) {
     if (options.keep == "picture") {
         return [&trial, right = trial.picture(scene)](const Scene& smaller) { return trial.picture(smaller) == right; };
@@ -107,7 +107,7 @@ int shrink(ShrinkOptions options) {
 
 void add_shrink(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
+        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or behaves like this one");
     const auto options = std::make_shared<ShrinkOptions>();
     add_run_options(command, *options, "A scene file, vidno-scene/1, or a failure; - for standard input",
                     "Which algorithm [warnock]", words(method_names));
@@ -120,7 +120,7 @@ void add_shrink(CLI::App& program, int& status) {
         ->check(CLI::IsMember(words(line_names)));
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
     command.footer(
-        "What is left has no polygon, vertex or binary place of a coordinate to spare.\n"
+        "The result cannot lose another polygon, vertex or binary place of a coordinate.\n"
         "Example: vidno shrink scene.json --kernel float --keep failure -o smallest.json");
     command.callback([options, &status] { status = shrink(*options); });
 }

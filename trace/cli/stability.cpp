@@ -27,7 +27,7 @@ struct StabilityOptions {
     std::vector<std::string> merged;
 };
 
-/// Of so many shards the one of that number, from 1: it takes every so manieth block.
+/// Shard `number` of `of` shards, from 1: it takes every `of`-th block.
 struct Shard {
     std::uint64_t number, of;
 
@@ -56,7 +56,7 @@ void expect_runs(const NamedKernel& kernel, const std::vector<std::string>& meth
     }
 }
 
-/// "all" are all methods, each under the kernels that run it, and all families.
+/// "all" stands for all methods, each under the kernels that run it, and for all families.
 Campaign with_defaults(Campaign campaign) {
     const bool of_all = campaign.methods == std::vector<std::string>{"all"};
     if (campaign.families.empty() || campaign.families == std::vector<std::string>{"all"}) {
@@ -92,7 +92,7 @@ std::string per_cent(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? "-" : shortened("%.2g", 100 * double(part) / double(whole));
 }
 
-/// And how many times as many as before.
+/// The number, and its ratio to the previous one.
 std::string windows_of(const Tally& tally, const Tally* before) {
     if (tally.runs == 0) return "-";
     const auto of_a_run = [](const Tally& each) { return double(each.windows) / double(each.runs); };
@@ -101,8 +101,8 @@ std::string windows_of(const Tally& tally, const Tally* before) {
     return text;
 }
 
-/// A column for each experiment of a kind; a row for each family, kernel and method, if it had runs. A cell shows a tally,
-/// given the one to the left of it.
+/// A column for each experiment of a kind; a row for each family, kernel and method that had runs. A cell shows a tally; it is also given
+/// the tally to its left.
 void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
     std::size_t widest = 0;
     for (const auto& method : results.campaign().methods) widest = std::max(widest, method.size());
@@ -144,14 +144,14 @@ void print(const Results& results) {
     const auto rate = [](std::uint64_t Tally::*part, std::uint64_t Tally::*whole) {
         return [=](const Tally& tally, const Tally*) { return per_cent(tally.*part, tally.*whole); };
     };
-    print(results, moved, "wrong decisions in per cent, coordinates moved by up to so many ulps",
+    print(results, moved, "wrong decisions in per cent, coordinates moved by up to N ulps",
           rate(&Tally::wrong_decisions, &Tally::decisions));
     print(results, moved, "wrong pixels in per cent", rate(&Tally::wrong_pixels, &Tally::pixels));
     print(results, moved, "pictures with a wrong pixel in per cent", rate(&Tally::wrong_runs, &Tally::runs));
     print(results, swept, "flicker in per cent, a polygon swept over 256 steps",
           rate(&Tally::flickers, &Tally::steady));
     print(results, changed, "pixels in per cent that are not invariant", rate(&Tally::flickers, &Tally::steady));
-    print(results, grown, "windows of Warnock's algorithm, area and scene grown to so many pixels a side", windows_of);
+    print(results, grown, "windows of Warnock's algorithm, area and scene grown to N pixels a side", windows_of);
 }
 
 int verdict(const Results& results) {
@@ -160,7 +160,7 @@ int verdict(const Results& results) {
     return 1;
 }
 
-/// A file for each family, method and kernel that was wrong in pictures, and need not be right.
+/// Writes a file for each family, method and kernel that painted wrong pictures and may be wrong.
 void write_witnesses(const Results& results, const std::string& folder) {
     const Campaign& campaign = results.campaign();
     std::filesystem::create_directories(folder);
@@ -203,7 +203,7 @@ int merge(const StabilityOptions& options) {
     return 1;
 }
 
-/// What there is for a campaign.
+/// The families and experiments of campaigns, for the help.
 std::string footer() {
     std::ostringstream text;
     text << "Families, in an area of " << family_side << " x " << family_side << " pixels:\n";
@@ -217,15 +217,15 @@ std::string footer() {
     list(curve_families);
     text << R"(Experiments:
   moved             each coordinate by up to 0, 1, 2, 4, 16, 2^8, 2^16, 2^32 ulps: how many decisions and pixels are
-                    wrong, held against exact arithmetic (the kernel grid: on the snapped scene)
+                    wrong, compared with exact arithmetic (the kernel grid: on the snapped scene)
   swept             the last polygon goes to the right in 256 steps, of an ulp or of 1/256 pixel: how many pixels
-                    change from a step to the next, of those that do not in the exact picture
-  changed           vertices begun at another one or reversed, polygons reordered, all shifted by whole pixels or
-                    doubled: how many pixels change, of those that do not in the exact picture
+                    change from one step to the next though they do not in the exact picture
+  changed           vertices started elsewhere or reversed, polygons reordered, all shifted by whole pixels or
+                    doubled: how many pixels change though they do not in the exact picture
   grown             scene and area, from 8 to 256 pixels a side: how many windows, and how many times those of half the
                     side: 2 is the growth of a length, 4 that of an area
-Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. What the others have wrong is
-what is looked for.
+Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. The errors of the
+other kernels are what it looks for.
 Examples:
   vidno stability --count 1000 -o all.jsonl
   parallel vidno stability --count 1000 --shard {}/8 -o part{}.jsonl ::: 1 2 3 4 5 6 7 8
@@ -265,26 +265,26 @@ void add_stability(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
     const auto options = std::make_shared<StabilityOptions>();
     auto& campaign = options->campaign;
-    command.add_option("--family", campaign.families, "Scenes of which kind [the first nine]: see below; or all");
+    command.add_option("--family", campaign.families, "The kinds of scenes [the first nine]: see below; or all");
     command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
         ->check(a_kernel());
     auto methods = all_methods();
     methods.emplace_back("all");
     command
         .add_option("--method", campaign.methods,
-                    "Which algorithm [warnock, zbuffer]; or all, each under those of the kernels that run it")
+                    "Which algorithm [warnock, zbuffer]; or all, each under the kernels that run it")
         ->check(CLI::IsMember(methods));
-    command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
+    command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of expensive ones")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();
-    command.add_option("--seed", campaign.seed, "Another one, other scenes")->capture_default_str();
-    command.add_option("--shard", options->shard, "K/N: of the blocks of trials only each N-th, from the K-th");
-    auto* merge = command.add_option("--merge", options->merged, "Run nothing: put these files of results together");
+    command.add_option("--seed", campaign.seed, "The seed; another one gives other scenes")->capture_default_str();
+    command.add_option("--shard", options->shard, "K/N: only every N-th block of trials, from the K-th");
+    auto* merge = command.add_option("--merge", options->merged, "Run nothing: merge these files of results");
     command.add_option("-o", options->output,
                        "Keep the results, .jsonl; a run that was killed goes on where it stopped");
     command.add_option(
         "--witnesses", options->witnesses,
-        "A folder: of each family, method and kernel that paints a pixel wrong the smallest scene, as a failure");
+        "A folder: the smallest scene for each family, method and kernel that paints a pixel wrong, as a failure");
     for (const char* of_run : {"--witnesses", "--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
         merge->excludes(of_run);
     }

@@ -25,7 +25,7 @@ struct TraceOptions : RunOptions {
     bool check = false;
 };
 
-/// Of a run of either kind, with its header.
+/// Traces a run of either kind, with its header.
 int write_traced(const auto& header, const auto& request, const TraceOptions& options) {
     OutputFile file(options.output);
     Progress progress("events");
@@ -73,8 +73,8 @@ void add_trace(CLI::App& program, int& status) {
     command.add_option("--detail", options->detail, "How much: each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
-    command.add_flag("--check", options->check, "Tell the truth beside each decision, and which are wrong");
-    command.add_option("--max-events", options->most_events, "Stop after so many events, keep what was traced")
+    command.add_flag("--check", options->check, "Write the truth beside each decision, and mark wrong decisions");
+    command.add_option("--max-events", options->most_events, "Stop after this many events, and keep them")
         ->check(CLI::NonNegativeNumber);
     command.add_option("-o", options->output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
     command.footer(

@@ -29,7 +29,7 @@ void expect_pdf(const std::string& name) {
     if (!name.ends_with(".pdf")) throw Refused(name + ": not .pdf or .xml");
 }
 
-/// Scenes one after the other, each on pages of its own.
+/// The scenes in order, each on its own pages.
 class Sheets {
 public:
     Sheets(bool answered, Language language) : answered_(answered), language_(language) {}
@@ -50,7 +50,7 @@ private:
     std::vector<std::string> pages_;
 };
 
-/// What the page's own code asks about a trace, as Moodle XML.
+/// The questions that the page asks about a trace, as Moodle XML.
 std::string asked_about(const std::string& trace, const WorksheetOptions& options) {
     const std::string count = std::to_string(options.count.value_or(20));
     const std::string bytes = read_file(trace);
@@ -61,7 +61,7 @@ std::string asked_about(const std::string& trace, const WorksheetOptions& option
     }
 }
 
-/// What the run of a trace does next, as questions, by Node.
+/// Questions about the next step of a trace's run, made by Node.
 int moodle_questions(const WorksheetOptions& options) {
     if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
     if (options.method || options.key) throw Refused("--method, --key: of sheets, which are .pdf");
@@ -106,18 +106,17 @@ void add_worksheet(CLI::App& program, int& status) {
     const auto options = std::make_shared<WorksheetOptions>();
     command.add_option("SCENE|TRACE", options->files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
         ->required();
-    command.add_option("--language", options->language, "Of the words in it")
+    command.add_option("--language", options->language, "The language of its words")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
-    command.add_option("--method", options->method, "Of .pdf: which algorithm is worked [warnock]")
+    command.add_option("--method", options->method, "For .pdf: which algorithm is worked [warnock]")
         ->check(CLI::IsMember(words(course_method_names)));
-    command.add_option("--key", options->key, "Of .pdf: the same sheets filled in, .pdf");
-    command
-        .add_option("--count", options->count, "Of .xml: at most so many questions, spread over the run's kinds [20]")
+    command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
+    command.add_option("--count", options->count, "For .xml: the most questions, spread over the run's kinds [20]")
         ->check(CLI::Range(1, 9999));
     command
         .add_option("-o", options->output,
-                    "The blank sheets, one scene after the other, .pdf; or what the run does next, as questions for "
+                    "The blank sheets of the scenes in order, .pdf; or questions about what the run does next, for "
                     "Moodle, .xml")
         ->required();
     command.footer(

@@ -100,7 +100,7 @@ Json all_methods() {
     return names;
 }
 
-/// What fits goes on one line.
+/// A value that fits goes on one line.
 std::string written(const Json& value, std::size_t indent, bool breaks = true) {
     if (!value.is_structured()) return value.dump();
     const bool is_object = value.is_object();

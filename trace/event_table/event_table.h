@@ -1,4 +1,4 @@
-/// EventTable: event.h as data, and what follows from it.
+/// EventTable: event.h as data, and the documents derived from it.
 #pragma once
 
 #include <optional>
@@ -45,34 +45,34 @@ std::vector<Procedure> called_procedures();
 /// The lists of words with a name of their own, each once.
 std::vector<Shape> named_words();
 
-/// The names of lines, in the order of the listings.
+/// The labels of lines, in the order of the listings.
 std::vector<std::string_view> names_of(const LineSet& lines);
 
 /// The letters of the labels, each once: "W" of W1 to W13.
 std::vector<std::string_view> line_letters();
 
-/// A document of which parts are derived. What lacks one of these parts is refused with std::runtime_error.
+/// A document with derived parts. If one of these parts is missing, std::runtime_error is thrown.
 struct DerivedDocument {
     std::string_view file;  // below trace/
     std::string (*derived)(const std::string& text);
 };
 
-/// FORMAT.md with its events and choices, and the schemas with what they list of these.
+/// FORMAT.md with its events and choices, and the schemas with the ones they list.
 std::vector<DerivedDocument> derived_documents();
 
-/// FORMAT.md with its derived parts: each is between `<!-- derived: TITLE -->` and `<!-- end -->`.
+/// FORMAT.md with its derived parts, each between `<!-- derived: TITLE -->` and `<!-- end -->`.
 std::string with_format_tables(const std::string& format);
 
-/// The schema of traces with its events as the table has them, and its header with the choices there are.
+/// The schema of traces with the events of the table, and with the choices in its header.
 std::string with_event_schema(const std::string& schema);
 
-/// The schema of failures with the choices, procedures and lines there are.
+/// The schema of failures with the choices, procedures and lines.
 std::string with_failure_schema(const std::string& schema);
 
-/// Another schema with the methods there are, of polygons, and perhaps that of curves.
+/// Another schema with the methods for polygons, and perhaps the one for curves.
 std::string with_methods(const std::string& schema, bool with_floating_horizon);
 
-/// The page's table of events, as TypeScript. Which events a method tells, its listings say.
+/// The page's table of events, as TypeScript. The listings determine the events of each method.
 std::string event_types(const std::string& listings);
 
 }  // namespace vidno

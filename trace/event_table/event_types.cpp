@@ -71,17 +71,17 @@ std::string event_types(const std::string& listings_text) {
         text += "export const " + own + "s = [" + joined_texts(words, ", ", in_quotes) + "] as const;\n";
         text += "const " + own + " = is.oneOf(..." + own + "s);\n";
     }
-    text += "\n/** The level from which the calls of a procedure are told. */\nexport const callsFrom = {\n";
+    text += "\n/** The level from which the calls of a procedure appear. */\nexport const callsFrom = {\n";
     for (const Procedure procedure : called_procedures()) {
         text += "  " + std::string(procedure_names[std::size_t(procedure)]) + ": " +
                 in_quotes(detail_names[std::size_t(event::calls_from(procedure))]) + ",\n";
     }
     text += "} as const;\n\n";
     text += "const label = is.label([" + joined_texts(line_letters(), ", ", in_quotes) + "]);\n\n";
-    text += "/** Of the events of a name: the lines that tell them, the level from which, and their fields. */\n";
+    text += "/** For each event: its lines, the level from which it appears, and its fields. */\n";
     text += "export const kinds = {\n";
     for (const auto& event : events) text += kind(event);
-    text += "} as const;\n\n/** What the runs of each method tell. */\nexport const eventsOf = {\n";
+    text += "} as const;\n\n/** The events in the runs of each method. */\nexport const eventsOf = {\n";
     const auto listings = nlohmann::ordered_json::parse(listings_text);
     for (const auto& [method, names] : listings.at("methods").items()) {
         const auto labels = labels_of(listings, names);

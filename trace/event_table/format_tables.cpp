@@ -48,7 +48,7 @@ std::string value_text(const FieldDescription& field) {
     return shape_text(field.shape) + (meaning.least == any_number.least ? "" : " >= " + std::to_string(meaning.least));
 }
 
-/// What `--check` adds is the same for every decision, and said once.
+/// The fields that `--check` adds are the same for every decision, so FORMAT.md describes them only once.
 bool is_truth(const EventDescription& event, const FieldDescription& field) {
     const std::string_view name = field.shape.name;
     return event.decides &&
@@ -99,7 +99,7 @@ std::string procedure_table() {
     return text;
 }
 
-/// The kernels under which each edition of a method runs: editions with the same kernels share a row.
+/// The kernels that run each edition of a method; editions with the same kernels share a row.
 std::string method_rows(std::string_view method, auto&& runs) {
     std::vector<std::vector<std::string_view>> editions, kernels;
     for (const auto& named : named_editions) {

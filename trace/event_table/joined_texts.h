@@ -1,4 +1,4 @@
-/// Texts one after the other, with something between them.
+/// Joins texts, with a separator between them.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace vidno {
 
-/// `text` gives that of an item.
+/// `text` gives the text of an item.
 std::string joined_texts(const auto& items, std::string_view between, auto&& text) {
     std::string all;
     for (const auto& item : items) all += std::string(all.empty() ? "" : between) + text(item);

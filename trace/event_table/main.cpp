@@ -1,4 +1,4 @@
-// Writes what follows from the tables of events and choices:
+// Writes the files derived from the tables of events and choices:
 //
 //     vidno_event_table page LISTINGS FAILURES FOLDER   the page's table of events, its choices, and the witnesses of deviations
 //     vidno_event_table documents TRACE                 the derived parts of FORMAT.md and of the schemas, in the folder trace/

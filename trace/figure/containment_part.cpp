@@ -40,7 +40,8 @@ private:
         return moment_.scene().polygons[std::size_t(event.polygon.index)];
     }
 
-    /// Where an edge, or at CR3 its first vertex, meets the line of the ray; the number of what is off the drawing, at its side.
+    /// The place where an edge, or at CR3 its first vertex, meets the line of the ray. If that is off the drawing, its number stands at the
+    /// side.
     void crossing(const event::Ray& ray, double row) {
         const auto [a, b] = ends_of(polygon_of(ray), ray.edge);
         const Point from = plane().at(a.x, a.y), to = plane().at(b.x, b.y);
@@ -51,7 +52,7 @@ private:
         note({std::clamp(x, shown.x + beside, shown.right() - beside), row - beside}, in_full(ray.counts));
     }
 
-    /// The lines of the window's sides part the plane into octants, 0 at the upper left, on clockwise.
+    /// The lines of the window's sides divide the plane into octants, clockwise from 0 at the upper left.
     void sides() {
         const Box& shown = plane().shown;
         const Box box = plane().box(window_);

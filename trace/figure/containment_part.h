@@ -1,12 +1,12 @@
-/// How an outline that meets no side of a window is found to surround it, or not.
+/// The containment test of an outline that meets no side of a window.
 #pragma once
 
 #include "parts.h"
 
 namespace vidno::figures {
 
-/// By ray crossings the ray, and where the edges so far meet its line, how often each counts; by angles the octants around
-/// the window, and by how many each edge turns. Nothing, if no outline is gone round.
+/// For ray crossings: the ray, the points where the edges so far meet its line, and how often each counts. For angles: the octants
+/// around the window, and by how many each edge turns. Draws nothing if no containment test is running.
 void draw_containment(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 }  // namespace vidno::figures

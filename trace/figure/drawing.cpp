@@ -15,7 +15,7 @@ void move(Path& path, Point by) {
 }
 void move(Label& label, Point by) { label.at = label.at + by; }
 
-/// The part of a segment in a box, by Liang and Barsky: between which of its points, from 0 at one end to 1 at the other.
+/// The part of a segment in a box, by Liang and Barsky, as two parameters from 0 at one end to 1 at the other.
 std::optional<std::pair<double, double>> part_within(Point from, Point to, const Box& box) {
     double first = 0, last = 1;
     const auto cut = [&](double direction, double room) {

@@ -1,4 +1,4 @@
-/// Drawing: what a figure consists of, the same for all that write it. Nothing in it is transparent, nothing a bitmap.
+/// Drawing: the contents of a figure, the same for all writers. It has no transparency and no bitmaps.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Stroke {
 
 using Polyline = std::vector<Point>;
 
-/// Lines, or polygons if they are closed, which look alike; a point in several polygons is filled once.
+/// Lines, or polygons if they are closed, with the same style; a point in several polygons is filled once.
 struct Path {
     std::vector<Polyline> lines;
     bool closed = false;
@@ -75,7 +75,7 @@ struct Drawing {
         if (!path.lines.empty()) things.emplace_back(std::move(path));
     }
 
-    /// Puts a drawing into this one; the size stays as it is.
+    /// Adds the contents of a drawing to this one, whose size does not change.
     void place(const Drawing& part, Point at);
 };
 
@@ -85,13 +85,13 @@ inline Path rectangle(const Box& box, std::optional<Color> fill, std::optional<S
     return {{box.corners()}, true, fill, std::move(stroke)};
 }
 
-/// What of a line, or of the outline of a polygon, lies in a box.
+/// The parts of a line, or of the outline of a polygon, that lie in a box.
 std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to);
 
-/// How wide a line of text is, in millimetres, in a font with the widths of Helvetica: such are Arial and Liberation Sans.
+/// The width of a line of text, in millimetres, in a font with the metrics of Helvetica, such as Arial and Liberation Sans.
 double width_of(std::string_view text, double size, bool bold = false);
 
-/// A coordinate as it is written, to a thousandth.
+/// A coordinate as text, rounded to a thousandth.
 std::string decimal(double value);
 
 /// The characters of a text in UTF-8.

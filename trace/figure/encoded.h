@@ -1,4 +1,4 @@
-/// A drawing in the format that the name of its file says.
+/// A drawing in the format given by the name of its file.
 #pragma once
 
 #include "writers.h"
@@ -7,12 +7,12 @@ namespace vidno::figures {
 
 enum class Format { svg, pdf, png, tikz };
 
-/// SVG for "-", else by the extension. Throws Refused for any other.
+/// SVG for "-", otherwise by the extension. Throws Refused for any other.
 Format format_of(const std::string& output);
 
 inline constexpr int usual_dots_an_inch = 300;
 
-/// An SVG that there is already; not as TikZ.
+/// Converts an existing SVG, but not to TikZ.
 std::string encoded(const std::string& svg, const About& about, const std::string& output,
                     int dots_an_inch = usual_dots_an_inch);
 std::string encoded(const Drawing& drawing, const About& about, const std::string& output,

@@ -15,7 +15,7 @@ constexpr double gap = 4;     // millimetres between panels and parts
 constexpr double wide = 110;  // a panel has text beside its plane, not below
 constexpr double least_plane = 38, least_text = 76;
 
-/// The columns of a strip, no emptier than they must be.
+/// The number of columns of a strip, so that the last row is as full as possible.
 std::size_t columns_for(const Options& options) {
     const double least = options.shows_text() ? least_text : least_plane;
     const auto fitting = std::size_t(std::max(1., std::floor((options.width + gap) / (least + gap))));
@@ -46,7 +46,7 @@ Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& h
     const Style& style = options_.style;
     const Plane plane = plane_in(moment.scene().area, plane_width_, most_plane_height());
     Drawing drawing{plane_width_, height_of(plane)};
-    // Outlines of very many polygons would hide the picture: they show where nothing is painted yet.
+    // Outlines of very many polygons would hide the picture, so they show only where nothing is painted yet.
     const bool crowded = moment.scene().polygons.size() > most_outlines;
     if (crowded) draw_outlines(drawing, moment, plane, style);
     if (options_.shows(Part::picture)) {

@@ -1,4 +1,4 @@
-/// Figure: moments of a run as drawings, one beside the other.
+/// Figure: moments of a run as drawings, side by side.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ struct Options {
     Style style{};
     double width = 80;                    // millimetres, of all that stand side by side
     std::optional<double> most_height{};  // of the plane
-    std::size_t moments = 1;              // so many will be added
+    std::size_t moments = 1;              // the number that will be added
 
     bool shows(Part part) const { return std::find(show.begin(), show.end(), part) != show.end(); }
-    /// Whether it has the plane, whether text.
+    /// Whether the figure has the plane, and whether it has text.
     bool shows_plane() const { return shows(Part::picture) || shows(Part::windows); }
     bool shows_text() const { return shows(Part::list) || shows(Part::listing) || shows(Part::history); }
 };
@@ -30,21 +30,21 @@ class Figure {
 public:
     explicit Figure(const Options& options);
 
-    /// Throws Refused if the trace does not tell a part. The history is needed if it is shown.
+    /// Throws Refused if the trace does not contain a part. The history is needed if it is shown.
     void add(const Moment& moment, const std::optional<PixelHistory>& history);
-    /// Of the parts, a run of curves has picture, windows (here the horizons and the curve at hand) and listing.
+    /// A run of curves has the parts picture, windows (here the horizons and the current curve) and listing.
     void add(const FloatingHorizonMoment& moment);
 
-    /// A drawing a moment. What is the same part of each has the same place, so that nothing jumps.
+    /// One drawing per moment. Each part has the same place in all of them, so that nothing jumps.
     std::vector<Drawing> panels() const;
 
-    /// All in one, in rows.
+    /// All moments in one drawing, in rows.
     Drawing strip() const;
 
 private:
     static constexpr double tallest_plane = 1.25;  // of its width
 
-    /// A part, of all moments, with the size that has room for each.
+    /// One part for all moments, with a size that fits each.
     struct Parts {
         std::vector<Drawing> drawings;
         double height = 0;

@@ -1,4 +1,4 @@
-/// FloatingHorizonMoment: a step of a run of curves with what a figure shows of it, rebuilt from the events alone.
+/// FloatingHorizonMoment: a step of a run of curves with everything that a figure shows of it, rebuilt from the events alone.
 #pragma once
 
 #include "state/floating_horizon_state.h"
@@ -18,7 +18,7 @@ public:
     const FloatingHorizonState& state() const { return state_; }
     const FloatingHorizonHeader& header() const { return state_.header(); }
     const CurveScene& scene() const { return header().scene.curves; }
-    /// Of this step; none before the first.
+    /// The event of this step; none before the first.
     const std::optional<Event>& event() const { return event_; }
 
 private:

@@ -17,7 +17,7 @@ Point place_of(const vidno::Point<Value>& point, const Plane& plane) {
     return plane.at(number_of(point.x), number_of(point.y));
 }
 
-/// What of lines lies in the part of the plane that is shown.
+/// The parts of lines that lie in the visible part of the plane.
 void add_lines(Drawing& to, const std::vector<Polyline>& lines, const Stroke& stroke, const Plane& plane) {
     Path path{{}, false, {}, stroke};
     for (const auto& line : lines) {
@@ -39,7 +39,7 @@ std::vector<Polyline> joined(const DrawnLines& lines, const Plane& plane) {
     return found;
 }
 
-/// From column to column where the horizon is; over a column alone, a point.
+/// The horizon as a line from column to column; over a single column, a point.
 std::vector<Polyline> horizon_lines(const FloatingHorizonState::Heights& heights, const Plane& plane) {
     std::vector<Polyline> lines;
     bool goes_on = false;
@@ -58,7 +58,7 @@ void add_dot(Drawing& to, Point at, double reach, const Plane& plane, const Colo
     if (plane.shown.holds(box)) to.add(rectangle(box, color));
 }
 
-/// What the step itself is about.
+/// The subject of the step.
 struct Marks {
     Drawing& to;
     const Plane& plane;

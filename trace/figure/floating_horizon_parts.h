@@ -9,18 +9,18 @@ namespace vidno::figures {
 /// The visible lines alone, as wide as a column of a journal.
 Drawing drawn_lines(const DrawnLines& lines, const Area& area);
 
-// What stands on the plane of the scene, one above the other.
+// The layers on the plane of the scene, from bottom to top.
 
 /// The visible lines so far.
 void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane);
 
-/// Both horizons: the upper one long dashes, the lower one short.
+/// Both horizons: the upper one with long dashes, the lower one with short ones.
 void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style);
 
-/// The curve at hand with its samples, heavy the segment at hand; the column that is looked at, and what the step is about.
+/// The current curve with its samples, the current segment heavy; the examined column, and the subject of the step.
 void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style);
 
-/// What stands below the plane, a line in the listing's own words: which horizon is which, and what Visibility said.
+/// A line below the plane, in the listing's own words: which horizon is which, and the result of Visibility.
 inline constexpr double legend_height = 4.2;
 Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width);
 

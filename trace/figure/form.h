@@ -24,7 +24,7 @@ struct Form {
     double height() const { return heading_height + double(rows.size()) * row_height; }
 };
 
-/// The form, so wide; answers stand in it or are left blank, and nothing else depends on that.
+/// The form with this width. Answers are filled in or left blank; nothing else depends on that.
 Drawing drawn(const Form& form, double width, bool answered);
 
 }  // namespace vidno::figures

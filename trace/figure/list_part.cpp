@@ -65,7 +65,7 @@ std::optional<int> edge_in_hand(const Moment& moment) {
     return edge;
 }
 
-/// So wide.
+/// Draws the list with this width.
 Table active_edges(const Moment& moment, const Style& style, double width) {
     constexpr double share = 0.185;  // of a column of numbers, of the width
     constexpr double digit = 1.85;   // with what is around it, millimetres

@@ -22,14 +22,14 @@ bool has_line(const json& procedure, std::string_view label) {
     return std::any_of(lines.begin(), lines.end(), [&](const json& line) { return line.at("at") == label; });
 }
 
-/// That of the current line; before its first line, the one that runs.
+/// The procedure of the current line; before its first line, the one that is running.
 const json& procedure_at(const CallStack::Frame& frame) {
     const auto& all = procedures();
     const auto found = std::find_if(all.begin(), all.end(), [&](const json& procedure) {
         return frame.at ? has_line(procedure, line_names[std::size_t(*frame.at)])
                         : procedure.at("name") == procedure_names[std::size_t(frame.of)];
     });
-    return *found;  // every label and name stands in the listings: a test holds them to it
+    return *found;  // a test checks that the listings have every label and name
 }
 
 std::vector<std::string> wrapped(const std::string& text, double width, double first_width) {
@@ -49,7 +49,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, double f
     return lines;
 }
 
-/// Whether the edition has a line as it is printed.
+/// Whether the edition has a line as printed.
 bool is_as_printed(const json& line, Edition edition) {
     if (!line.contains("printed")) return false;
     if (edition == Edition::printed) return true;
@@ -61,7 +61,7 @@ bool is_as_printed(const json& line, Edition edition) {
     return false;
 }
 
-/// A line as the edition has it.
+/// The text of a line in the edition.
 std::string text_in(const json& line, Edition edition, Language language) {
     if (is_mistake(edition)) {
         const DeviationChoice& mistake = choice_of(*single_deviation(edition));

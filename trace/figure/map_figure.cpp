@@ -7,7 +7,7 @@ namespace vidno::figures {
 
 namespace {
 
-/// Where the exact answer changes: sides of cells, in a plane with p at the upper left.
+/// The border where the exact answer changes: sides of cells, in a plane with p at the upper left.
 std::vector<Polyline> border(const SignMap& map, const Plane& plane) {
     std::vector<Polyline> lines;
     const auto add = [&](Point from, Point to) {
@@ -37,7 +37,7 @@ Picture cells_of(const SignMap& map) {
     return picture;
 }
 
-/// A row an answer: how often it was right and wrong, each count beside its colour.
+/// One row per answer: how often it was right and wrong, each count beside its colour.
 Drawing legend(const SignMap& map, const Style& style, double width) {
     const auto& words = words_of(style.language);
     const auto counts = map.counts();

@@ -1,5 +1,5 @@
-/// Marker: puts what a step is about on the plane. It stands out by its colour, and without colours by its form: full points
-/// say yes, hollow ones no.
+/// Marker: draws the subject of a step on the plane. It stands out by its colour and, without colours, by its shape: full points mean
+/// yes, hollow ones no.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ public:
     const Plane& plane() const { return plane_; }
     Point at(const Value& x, const Value& y) const { return plane_.at(number_of(x), number_of(y)); }
 
-    /// What is not finite is nowhere.
+    /// None for a point that is not finite.
     void line(const Polyline& points, bool closed, const Stroke& stroke) {
         const auto nowhere = [](Point p) { return !std::isfinite(p.x) || !std::isfinite(p.y); };
         if (std::any_of(points.begin(), points.end(), nowhere)) return;
@@ -34,7 +34,7 @@ public:
     void line(const Polyline& points, bool closed, Dashes dashes = solid) {
         line(points, closed, Stroke{color_, 1, std::move(dashes)});
     }
-    /// Hides nothing that it crosses.
+    /// Does not hide anything that it crosses.
     void fine_line(const Polyline& points) {
         to_.add(Path{clipped(points, false, plane_.shown), false, {}, Stroke{color_, 0.5, {0.5, 1.5}}});
     }
@@ -64,7 +64,7 @@ public:
         to_.add(Path{{circle}, true, yes ? color : paper, Stroke{color, 0.75}});
     }
 
-    /// A number around a place, on paper.
+    /// A number near a place, on a blank background.
     void note(const Point& center, const std::string& text) {
         constexpr double size = 7, around = 0.3;
         const double width = style_.letters * width_of(text, size, true) + 2 * around;

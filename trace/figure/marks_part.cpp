@@ -7,7 +7,7 @@ namespace vidno::figures {
 
 namespace {
 
-/// What the step itself is about.
+/// The subject of the step.
 class Marks : Marker {
 public:
     Marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style)
@@ -102,7 +102,7 @@ private:
         for (const auto& vertex : vertices) points.push_back(at(vertex.x, vertex.y));
         line(points, closed, stroke...);
     }
-    /// As far as can be seen.
+    /// Draws the line through a place, cut to the visible part of the plane.
     void through(const ValuePoint& place, const ValuePoint& normal) {
         const double a = number_of(normal.x), b = number_of(normal.y), length = std::hypot(a, b);
         const Point on = at(place.x, place.y);

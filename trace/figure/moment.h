@@ -1,4 +1,4 @@
-/// Moment: a step of a run with what a figure shows of it, rebuilt from the events alone.
+/// Moment: a step of a run with everything that a figure shows of it, rebuilt from the events alone.
 #pragma once
 
 #include <map>
@@ -23,19 +23,19 @@ public:
     const State& state() const { return state_; }
     const TraceHeader& header() const { return state_.header(); }
     const Scene& scene() const { return header().scene; }
-    /// Of this step; none before the first.
+    /// The event of this step; none before the first.
     const std::optional<Event>& event() const { return event_; }
-    /// Taken from AW up to now, the current one last.
+    /// The windows taken from AW so far, the current one last.
     const std::vector<Window>& visited() const { return visited_; }
-    /// At which corners of the current window a polygon was nearer than all before it, by its place in the scene.
+    /// For each polygon, by its index in the scene, the corners of the current window where it was nearer than all before it.
     const std::map<int, std::vector<Corner>>& nearer_at() const { return nearer_at_; }
-    /// Where the polygon that RegionClip looks at, or looked at last, enters the other and where it leaves it.
+    /// The points where the polygon that RegionClip examines, or examined last, enters and leaves the other one.
     const std::vector<ValuePoint>& entering() const { return entering_; }
     const std::vector<ValuePoint>& leaving() const { return leaving_; }
-    /// What the edges of the outline that is gone round, or was last, count so far: by ray crossings, or by octants.
+    /// The counts of the edges so far in the current or last containment test: ray crossings, or octants.
     const std::vector<event::Ray>& rays() const { return rays_; }
     const std::vector<event::Octants>& octants() const { return octants_; }
-    /// Pixels were painted already.
+    /// Whether any pixels have been painted.
     bool is_painted() const { return is_painted_; }
 
 private:
@@ -73,7 +73,7 @@ private:
     bool is_painted_ = false;
 };
 
-/// The place of the polygon that the step is about, or that is in hand; none if there is no such.
+/// The index of the polygon that the step is about, or of the current one; none if there is no such polygon.
 inline std::optional<int> polygon_in_hand(const Moment& moment) {
     std::optional<int> place = moment.state().polygon();
     if (!moment.event()) return place;

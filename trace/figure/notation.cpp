@@ -52,7 +52,7 @@ std::string with_minus_sign(std::string text) {
     return text;
 }
 
-/// What the events say that a history has; the others say nothing.
+/// The texts of the events that a history contains; the others have none.
 struct Note {
     const Scene& scene;
 

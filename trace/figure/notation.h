@@ -1,4 +1,4 @@
-/// Numbers and what an event says, in the notation of the listings: short, and the same in any language.
+/// Numbers and the texts of events, in the notation of the listings: short, and the same in any language.
 #pragma once
 
 #include <string>
@@ -12,14 +12,13 @@ std::string in_full(double value);
 
 inline constexpr std::size_t short_enough = 7;  // characters of a number that is read at a glance
 
-/// At most some so many characters (more where it has a power of ten), with a real minus sign; `≈` where a fraction was
-/// cut.
+/// A number in at most `most` characters (more with a power of ten), with a real minus sign, and with `≈` where a fraction was cut.
 std::string readable(const Value& value, std::size_t most = short_enough);
 
-/// As `(8, 0) 8 × 8`.
+/// For example `(8, 0) 8 × 8`.
 std::string readable(const Window& window);
 
-/// What an event says beside its line; empty if that is nothing.
+/// The text of an event beside its line, perhaps empty.
 std::string note_of(const EventView& event, const Scene& scene);
 
 }  // namespace vidno::figures

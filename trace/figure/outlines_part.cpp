@@ -17,7 +17,7 @@ glm::dvec2 middle_of(const ScenePolygon& polygon) {
     return sum / double(polygon.vertices.size());
 }
 
-/// Whether it is convex and the point lies inside: roughly is enough for the place of a name.
+/// Whether the polygon is convex and the point lies inside; an approximate answer is enough for placing a name.
 bool holds(const ScenePolygon& polygon, glm::dvec2 point) {
     bool left = false, right = false;
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -30,7 +30,7 @@ bool holds(const ScenePolygon& polygon, glm::dvec2 point) {
     return !(left && right);
 }
 
-/// Where a name may stand: between the middle and the corners and edges, then anywhere, the nearest to the middle first.
+/// The places for a name: between the middle and the corners and edges, then anywhere, the nearest to the middle first.
 std::vector<glm::dvec2> spots_in(const ScenePolygon& polygon, const Area& area) {
     const glm::dvec2 middle = middle_of(polygon);
     std::vector<glm::dvec2> spots{middle};
@@ -56,7 +56,7 @@ std::vector<glm::dvec2> spots_in(const ScenePolygon& polygon, const Area& area) 
     return spots;
 }
 
-/// Gives each name its box: in its polygon, if it can be in no other, off outlines, and off the lines of the first windows.
+/// Gives each name its box: in its polygon, if possible in no other, and clear of outlines and of the lines of the first windows.
 class NamePlaces {
 public:
     NamePlaces(const Scene& scene, const Plane& plane) : scene_(scene), plane_(plane) {

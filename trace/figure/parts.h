@@ -17,15 +17,15 @@ struct Style {
     double letters = 1;  // how much wider those of the font are than those of Helvetica
 };
 
-// What stands on the plane of the scene, one above the other.
+// The layers on the plane of the scene, from bottom to top.
 
-/// The pixels painted so far, each colour with a texture of its own, and the lines between them if they are far enough apart.
+/// The pixels painted so far, each colour with its own texture, and the lines between pixels if these are large enough.
 void draw_picture(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// The area, and the corners' coordinates around it; y grows downward.
 void draw_frame(Drawing& to, const Plane& plane);
 
-/// The outlines of the polygons: more than this are a crowd, and faint.
+/// The outlines of the polygons. More than this many are drawn faint.
 inline constexpr std::size_t most_outlines = 40;
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
@@ -36,25 +36,25 @@ void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const S
 /// The windows visited so far, each once.
 void draw_visited(Drawing& to, const Moment& moment, const Plane& plane);
 
-/// What the step itself is about: points, pixels, pieces of edges.
+/// The subject of the step: points, pixels, pieces of edges.
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 struct Pixel {
     int x = 0, y = 0;
 };
 
-/// The pixel that is asked about, to be found even where pixels are small.
+/// The chosen pixel, visible even where pixels are small.
 void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane);
 
-/// The polygons' ids: each, where there is room, in its polygon and in as few others as can be; none overlap.
+/// The polygons' ids: each, if there is room, in its polygon and in as few others as possible; they do not overlap.
 void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style);
 
-// What stands beside it.
+// The parts beside the plane.
 
-/// APL with what is known of each polygon in the current window, or AEL. Throws Refused if the trace does not tell it.
+/// APL with the known relations of each polygon to the current window, or AEL. Throws Refused if the trace does not contain it.
 Drawing list_part(const Moment& moment, const Style& style, double width);
 
-/// The procedure at hand, its current line marked.
+/// The current procedure, with its current line marked.
 Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width);
 Drawing listing_part(const auto& moment, const Style& style, double width) {
     return listing_part(moment.state().calls().back(), moment.header().edition, style, width);

@@ -1,4 +1,4 @@
-/// Patches: a picture as vectors.
+/// Patches: a picture as vector graphics.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct Patch {
     std::map<std::pair<int, int>, std::size_t> last{};  // of those that begin and end so, the lowest
 };
 
-/// A patch a colour, in the order in which the colours are met from the top.
+/// One patch per colour, in the order in which the colours appear from the top.
 inline std::vector<Patch> patches_of(const Picture& picture) {
     std::vector<Patch> patches;
     const auto patch_of = [&](const Color& color) -> Patch& {

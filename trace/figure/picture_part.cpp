@@ -11,7 +11,7 @@ constexpr double grid_from = 2;      // millimetres a pixel
 constexpr double hatch_apart = 1.3;  // millimetres
 constexpr std::size_t most_textures = 6;
 
-/// Parallel lines a fixed distance apart in all of the drawing, and of them what lies in the boxes. `slope` is 1 or -1.
+/// Parallel lines at a fixed distance across the whole drawing, cut to the boxes. `slope` is 1 or -1.
 std::vector<Polyline> hatching(const std::vector<Box>& boxes, int slope) {
     const double apart = hatch_apart * std::sqrt(2.);
     std::map<int, std::vector<std::pair<double, double>>> lines;  // x - slope y = i apart, from x to x
@@ -40,7 +40,7 @@ std::vector<Polyline> hatching(const std::vector<Box>& boxes, int slope) {
     return found;
 }
 
-/// Small squares on their corners, in rows that alternate.
+/// Small squares standing on their corners, in alternating rows.
 std::vector<Polyline> dots(const std::vector<Box>& boxes) {
     constexpr double reach = 0.16;
     std::vector<Polyline> found;
@@ -57,7 +57,7 @@ std::vector<Polyline> dots(const std::vector<Box>& boxes) {
     return found;
 }
 
-/// The place of a colour among those of the scene's polygons; the background, which has no texture, has none.
+/// The index of a colour among those of the scene's polygons; none for the background, which has no texture.
 std::optional<std::size_t> texture_of(const Color& color, const Scene& scene) {
     std::vector<Color> colors;
     for (const auto& polygon : scene.polygons) {
@@ -100,7 +100,7 @@ void draw_picture(Drawing& to, const Moment& moment, const Plane& plane, const S
         for (const auto& box : boxes) outlines.push_back(box.corners());
         const Color fill = tinted(color, style.greyscale);
         if (fill == paper) continue;
-        // Neighbours overlap by half the stroke: no seam of paper shows between them.
+        // Neighbours overlap by half the stroke, so that no seam shows between them.
         to.add(Path{std::move(outlines), true, fill, Stroke{fill}});
         const auto texture = texture_of(color, moment.scene());
         if (texture) draw_texture(to, *texture, boxes, style.greyscale ? deep(color, true) : color);

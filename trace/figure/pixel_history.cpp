@@ -7,7 +7,7 @@ namespace vidno::figures {
 
 namespace {
 
-/// What an event means for the pixel.
+/// The meaning of an event for the pixel.
 struct Meaning {
     std::optional<bool> answer{};
     bool painted = false;
@@ -15,7 +15,7 @@ struct Meaning {
 constexpr Meaning fact{}, yes{true}, no{false}, paint{true, true};
 constexpr Meaning test(bool passed) { return passed ? yes : no; }
 
-/// Judges an event by where the pixel lies. In a window or row that it does not lie in, only painting concerns it.
+/// Interprets an event by the pixel's place. In a window or row that does not contain the pixel, only painting concerns it.
 class Judge {
 public:
     Judge(Pixel pixel, bool& inside) : pixel_(pixel), inside_(inside) {}
@@ -100,7 +100,7 @@ Drawing PixelHistory::part(const Style& style, double width) const {
     for (std::size_t i = first; i < entries_.size(); ++i) {
         const auto& [step, at, note, answer, painted] = entries_[i];
         const std::string_view meaning = painted ? words.painted : !answer ? "" : *answer ? words.yes : words.no;
-        if (painted) table.current = table.rows.size();  // the last time counts
+        if (painted) table.current = table.rows.size();  // the last one counts
         table.rows.push_back(
             {{std::to_string(step)}, {std::string(line_names[std::size_t(at)])}, {note}, {std::string(meaning)}});
     }

@@ -1,4 +1,4 @@
-/// PixelHistory: what concerned a pixel, as the events tell it.
+/// PixelHistory: the events that concerned a pixel.
 #pragma once
 
 #include "drawing.h"
@@ -12,24 +12,24 @@ public:
 
     Pixel pixel() const { return pixel_; }
 
-    /// Keeps what the step says of the pixel, if it does.
+    /// Keeps the step if it concerns the pixel.
     void take(const Moment& moment);
 
-    /// A table, of a long history the end.
+    /// The history as a table; only the end of a long one.
     Drawing part(const Style& style, double width) const;
 
     struct Entry {
         std::uint64_t step;
         Line at;
         std::string note;
-        std::optional<bool> answer;  // none: it is a fact
+        std::optional<bool> answer;  // none: a fact, not a test
         bool painted = false;
     };
     const std::vector<Entry>& entries() const { return entries_; }
 
 private:
     Pixel pixel_;
-    bool inside_ = false;  // the window at hand, or the row
+    bool inside_ = false;  // the current window, or the row
     std::vector<Entry> entries_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double ticks_height = 3.6;  // above
 constexpr double below = 1.2;
 
-/// By how much light of each colour the eye gets, of ITU-R BT.709.
+/// The luminance of a colour by ITU-R BT.709.
 double lightness(const Color& color) { return 0.2126 * color.red + 0.7152 * color.green + 0.0722 * color.blue; }
 
 Color mixed(const Color& color, const Color& with, double share) {

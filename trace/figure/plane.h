@@ -1,4 +1,4 @@
-/// Plane: how the plane of the scene lies in a drawing, and the looks that belong to the scene.
+/// Plane: the place of the scene's plane in a drawing, and the styles of the scene.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace vidno::figures {
 
-/// As it is, or as grey of the same lightness.
+/// The colour itself, or a grey of the same lightness.
 Color printed(const Color& color, bool greyscale);
-/// Pale, that lines and letters stand out on it; grey if so wanted.
+/// A pale tint on which lines and letters stand out; grey on request.
 Color tinted(const Color& color, bool greyscale);
-/// For lines on what is tinted.
+/// For lines on tinted areas.
 Color deep(const Color& color, bool greyscale);
 
 inline constexpr Color ink{0x10, 0x13, 0x1c}, faint{0x8a, 0x90, 0x9c}, paper{0xff, 0xff, 0xff};
@@ -21,7 +21,7 @@ struct Plane {
     Area area;
     double scale;  // millimetres a pixel
     Point origin;  // where the plane's (0, 0) would lie
-    Box shown;     // the area and a margin around it, to which all is cut
+    Box shown;     // the area and a margin around it, to which everything is cut
 
     Point at(double x, double y) const {
         return {within_reach(origin.x + x * scale), within_reach(origin.y + y * scale)};
@@ -38,7 +38,7 @@ struct Plane {
     }
 
 private:
-    /// What lies farther out is drawn from here, so that differences stay finite.
+    /// Coordinates are clamped to this, so that differences stay finite.
     static double within_reach(double millimetres) { return std::clamp(millimetres, -1e300, 1e300); }
 };
 
@@ -46,12 +46,12 @@ private:
 inline constexpr double tick_size = 7;  // points
 std::string tick_text(int value);
 
-/// The plane of an area in so much room, ticks included.
+/// The plane of an area in the given room, ticks included.
 Plane plane_in(const Area& area, double width, double most_height);
-/// The height that is left with ticks.
+/// The height of the drawing of a plane with its ticks.
 double height_of(const Plane& plane);
 
-/// Lines with a light rim, which stand out on any ground.
+/// Lines with a light rim, which stand out on any background.
 void add_rimmed(Drawing& to, const Path& path);
 
 }  // namespace vidno::figures

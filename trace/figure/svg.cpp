@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view font = "Helvetica, Arial, 'Liberation Sans', 'Nimbus Sans', sans-serif";
 
-/// Text as XML may have it: it has no way to write some characters.
+/// Text for XML, without the characters that XML cannot represent.
 std::string escaped(std::string_view text) {
     std::string written;
     for (const char32_t c : characters_of(text)) {

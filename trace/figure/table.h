@@ -1,4 +1,4 @@
-/// Table: rows of text under a heading, ruled as books do it.
+/// Table: rows of text under a heading, ruled as in books.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Table {
         Anchor anchor = Anchor::start;
     };
 
-    /// Text, after a square of a colour if it has one.
+    /// A cell of text, preceded by a coloured square if it has a colour.
     struct Cell {
         std::string text;
         std::optional<Color> square{};
@@ -31,18 +31,18 @@ struct Table {
 
 inline constexpr double text_size = 8, small_size = 7;  // points
 inline constexpr double line_height = 3.6;              // millimetres
-inline constexpr Color band{0xe6, 0xe6, 0xe6};          // behind what is current, beside its arrow
+inline constexpr Color band{0xe6, 0xe6, 0xe6};          // behind the current row, beside its arrow
 
-/// The arrow before what is current, in a line of text with this base.
+/// The arrow before the current row, in a line of text with this base line.
 void add_arrow(Drawing& to, double x, double base);
 
 /// Text cut to a width, with an ellipsis.
 std::string fitted(std::string text, double width, double size, bool bold = false);
 
-/// What has too many rows is cut around its current one, which is then on top if it can be.
+/// Cuts a table with too many rows around its current row, which is then on top if possible.
 void shorten(Table& table, const FigureWords& words);
 
-/// So wide; the height follows from the rows. The letters are so much wider than those of Helvetica.
+/// Draws the table with this width; the height follows from the rows. `letters` is the width of the letters relative to Helvetica.
 Drawing drawn(const Table& table, double width, double letters);
 
 }  // namespace vidno::figures

@@ -7,7 +7,7 @@ namespace vidno::figures {
 
 namespace {
 
-// Characters that a font of text may lack, or that mean something to TeX.
+// Characters that a text font may lack, or that are special in TeX.
 constexpr auto in_tex = std::to_array<std::pair<char32_t, std::string_view>>({
     {U'\\', "\\textbackslash{}"},
     {U'{', "\\{"},
@@ -126,7 +126,7 @@ std::string environment(const Drawing& drawing) {
     return text + "\\end{tikzpicture}";
 }
 
-/// Between these the figure stands in a document of its own, unless it is read inside another one.
+/// These enclose the figure as a document of its own, unless another document inputs it.
 std::string document(std::string_view classes, const About& about, const std::string& body) {
     // Debian's cm-super has the outlines of T2A.
     const std::string encoding = about.language == Language::russian

@@ -9,20 +9,20 @@ namespace vidno::figures {
 /// The visible regions alone, as wide as a column of a journal.
 Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scene);
 
-// What stands on the plane of the scene, one above the other.
+// The layers on the plane of the scene, from bottom to top.
 
 /// The visible regions found so far, filled.
 void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-/// The lists on the stack dotted; of the one in hand the clip polygon heavy, what was found inside it solid, outside dashed.
+/// The lists on the stack, dotted. In the current list: the clip polygon heavy, the parts inside it solid, those outside dashed.
 void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-/// A region on the plane; nothing, if a vertex is nowhere.
+/// A region on the plane; nothing if a vertex is not finite.
 std::vector<Polyline> loops_of(const RegionLoops& region, const Plane& plane);
 
-// What stands beside it.
+// The parts beside the plane.
 
-/// The polygons of the list in hand, and in which of its parts they lie.
+/// The polygons of the current list, and the part (inside, outside) that holds each.
 Drawing region_list(const Moment& moment, const Style& style, double width);
 
 }  // namespace vidno::figures

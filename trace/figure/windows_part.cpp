@@ -18,7 +18,7 @@ std::vector<Polyline> cut(const Plane& plane, const Window& window) {
     return clipped(plane.box(window).corners(), true, plane.shown);
 }
 
-/// A little inside, that neighbours can be told apart.
+/// Drawn slightly smaller, so that neighbours can be distinguished.
 Box shrunk(const Box& box) {
     const double by = std::min(0.5, 0.15 * box.width);
     return {box.x + by, box.y + by, box.width - 2 * by, box.height - 2 * by};

@@ -1,4 +1,4 @@
-/// WorkedRun: what somebody who works a scene by hand writes down, taken from the trace of the exact run.
+/// WorkedRun: everything that someone who works a scene by hand writes down, taken from the trace of the exact run.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace vidno::figures {
 
-/// Of a polygon in a window's list.
+/// The entry of a polygon in a window's list.
 struct WorkedEntry {
     bool leaves = false;     // PW3
     bool surrounds = false;  // S_i, once the window is done
@@ -24,7 +24,7 @@ struct WorkedWindow {
     std::optional<int> painted{};  // the polygon that shows in it; none: background, or a split
 };
 
-/// What is shown of a polygon on a row: between two edges of the AEL, or a level edge, which is in no list.
+/// The span of a polygon that is shown on a row: between two edges of the AEL, or a level edge, which is in no list.
 struct WorkedRow {
     int polygon, row;
     std::vector<State::AelEntry> edges{};
@@ -33,7 +33,7 @@ struct WorkedRow {
 
 class WorkedRun {
 public:
-    /// Runs the scene, corrected and exact.
+    /// Runs the scene with the corrected procedures under `exact`.
     WorkedRun(const Scene& scene, Method method);
     WorkedRun(const WorkedRun&) = delete;
     WorkedRun& operator=(const WorkedRun&) = delete;

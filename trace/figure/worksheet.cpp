@@ -25,7 +25,7 @@ constexpr std::size_t most_polygons = 10, most_vertices = 45;
 constexpr int longest_side = 40;
 constexpr double room_for_depth = 8;  // millimetres a pixel
 
-/// The pages so far, and how far down the last one is filled.
+/// The pages so far, and how much of the last one is filled.
 class Worksheet {
 public:
     Worksheet(const WorkedRun& run, Language language, bool answered)
@@ -280,7 +280,7 @@ private:
 
     // --------------------------------------------------------------------------------- long tables
 
-    /// Rows to the ends of pages, whether there is an answer for them or not: their number is no hint.
+    /// Adds rows to the end of the page, whether they have answers or not, so that their number gives no hint.
     void add_rows(std::string_view title, const std::vector<Form::Column>& columns, std::vector<Row> answers,
                   const std::vector<std::string_view>& legend, bool are_numbered) {
         std::size_t done = 0;

@@ -15,7 +15,7 @@ namespace vidno::figures {
 /// Refuses a scene that is too large for the pages.
 void expect_room(const Scene& scene, const std::string& file);
 
-/// The pages, in millimetres. Blank and answered ones are the same but for the answers.
+/// The pages, in millimetres. Blank and answered ones differ only in the answers.
 std::vector<Drawing> worksheet(const WorkedRun& run, Language language, bool answered);
 
 }  // namespace vidno::figures

@@ -1,5 +1,4 @@
-/// What a Drawing is written as. The same drawing gives the same bytes, except that PDF and PNG depend on the fonts that
-/// the system has.
+/// Writers for drawings. The same drawing gives the same bytes, except that PDF and PNG depend on the fonts of the system.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace vidno::figures {
 
-/// A document that says of itself what it shows.
+/// The title and language that a document states.
 struct About {
     std::string title;
     Language language = Language::english;
@@ -19,21 +18,20 @@ struct About {
 /// An SVG document of lines, areas and live text, in millimetres.
 std::string svg_of(const Drawing& drawing, const About& about);
 
-/// How much wider than Helvetica the letters of TeX's usual fonts may be; what is wider still is squeezed.
+/// How much wider than Helvetica the letters of TeX's usual fonts may be; wider text is compressed.
 inline constexpr double letters_of_tex = 1.16;
 
-/// A document for pdfLaTeX, which has the size of the drawing, and which another one may \input as well: then its font is
-/// used. `about` decides the encoding of fonts.
+/// A document for pdfLaTeX with the size of the drawing. Another document may also \input it; its font is then used. `about` determines
+/// the font encoding.
 std::string tikz_of(const Drawing& drawing, const About& about);
 
-/// The same for beamer: a frame with an overlay a drawing; they are of one size.
+/// The same for beamer: a frame with one overlay per drawing; all drawings have the same size.
 std::string beamer_of(const std::vector<Drawing>& drawings, const About& about);
 
-/// SVG documents as the pages of a PDF with live text and embedded fonts, without a date. Throws Refused if librsvg does
-/// not take one.
+/// SVG documents as the pages of a PDF with live text and embedded fonts, without a date. Throws Refused if librsvg rejects one.
 std::string pdf_of(const std::vector<std::string>& pages, const About& about);
 
-/// The SVG as PNG with so many dots an inch.
+/// The SVG as PNG with the given dots per inch.
 std::string png_of(const std::string& svg, int dots_an_inch);
 
 }  // namespace vidno::figures

@@ -1,7 +1,7 @@
 /// Event: one line of a trace, as values. FORMAT.md says what each means.
 ///
-/// This is the one table of events. Each is a struct with its name, the level from which it appears, its lines, what it says, and its
-/// fields in their order. The writer, the readers and the recorder's filter follow from it, and so do the tables of FORMAT.md, the
+/// This is the one table of events. Each is a struct with its name, the level from which it appears, its lines, its meaning, and its
+/// fields in order. The writer, the readers and the recorder's filter are derived from it, and so are the tables of FORMAT.md, the
 /// schema and the page's types (event_table/).
 #pragma once
 
@@ -33,7 +33,7 @@ namespace vidno {
 enum class Detail : unsigned char { windows, polygons, signs };
 inline constexpr std::array<std::string_view, 3> detail_names{"windows", "polygons", "signs"};
 
-/// A polygon by its place in the scene; in the file stands its id.
+/// A polygon by its index in the scene; the file has its id.
 struct PolygonPlace {
     int index = 0;
     bool operator==(const PolygonPlace&) const = default;
@@ -49,7 +49,7 @@ struct ColumnRun {
 /// The loops of a region.
 using RegionLoops = std::vector<std::vector<ValuePoint>>;
 
-/// A part of a polygon; ground, if it is known to be behind all others of its list.
+/// A part of a polygon; ground if it is known to be behind all others of its list.
 struct PolygonPart {
     PolygonPlace polygon;
     RegionLoops region;
@@ -57,13 +57,13 @@ struct PolygonPart {
     bool operator==(const PolygonPart&) const = default;
 };
 
-/// Beside the APL, of three lists.
+/// The two lists besides the APL, in methods with three lists.
 enum class OtherList : unsigned char { surrounding, outside };
 inline constexpr std::array<std::string_view, 2> other_list_names{"surrounding", "outside"};
 
 using ColumnHeight = std::pair<int, Value>;
 using SampleTold = std::pair<int, double>;
-/// Of the current curve the segment between the samples on these columns.
+/// The segment of the current curve between the samples on these columns.
 using SegmentColumns = std::pair<int, int>;
 
 /// Some lines of the listings.
@@ -85,7 +85,7 @@ private:
     std::array<bool, line_names.size()> has_{};
 };
 
-/// What a field means beyond its type: its word in FORMAT.md, and which whole numbers stand in it.
+/// The meaning of a field beyond its type: its word in FORMAT.md, and the range of its whole numbers.
 struct Meaning {
     std::string_view word;
     int least = std::numeric_limits<int>::min();
@@ -131,13 +131,13 @@ struct Plane {
     }
 };
 
-/// A decision that exact arithmetic takes otherwise along the same path.
+/// A decision on which exact arithmetic differs along the same path.
 struct Disagree {
     static constexpr Kind kind{"disagree", Detail::windows};
     static constexpr LineSet lines = any_line;
     static constexpr std::string_view says =
-        "exact arithmetic takes a decision otherwise: see below. The line is that of the event before";
-    Line at{};  // of the event before, which tells the decision or is the first to follow it
+        "exact arithmetic decides differently: see below. The line is that of the event before";
+    Line at{};  // that of the event before, which reports the decision or is the first after it
     Decision of{};
     Answer taken, exact;
     Cause cause{};
@@ -151,7 +151,7 @@ struct Disagree {
     }
 };
 
-/// The level from which the calls of a procedure are told: below `signs` nothing happens inside some. What a call came to is
+/// The level from which the calls of a procedure are reported: below `signs` nothing happens inside some. The result of a call is
 /// the event with that procedure as its `result_of`.
 constexpr Detail calls_from(Procedure procedure) {
     switch (procedure) {
@@ -170,7 +170,7 @@ struct Call {
     static constexpr Kind kind{"call", Detail::polygons};
     static constexpr LineSet lines = any_line;
     static constexpr std::string_view says =
-        "a procedure begins; which of them from level `signs` on, *The call stack* says";
+        "a procedure begins; *The call stack* says which ones appear only from level `signs` on";
     Line at{};
     Procedure of{};
     static void fields(auto& e, auto&& field) { field("of", e.of); }
@@ -477,8 +477,8 @@ struct Orient {
     static constexpr Kind kind{"orient", Detail::signs};
     static constexpr LineSet lines{S2, S3, TF2, CR4, OA4, ED3, BF1};
     static constexpr std::string_view says =
-        "on which side of the edge the point lies; S2 while no sign was found, S3 after it. What the point is at "
-        "the lines of the family is said below";
+        "on which side of the edge the point lies; S2 while no sign was found, S3 after it. The text above "
+        "the table of the family says what the point is at its lines";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
@@ -814,7 +814,7 @@ struct Miss {
 struct Slope {
     static constexpr Kind kind{"slope", Detail::signs};
     static constexpr LineSet lines{L3};
-    static constexpr std::string_view says = "what the depth changes by from pixel to pixel";
+    static constexpr std::string_view says = "the change of the depth from pixel to pixel";
     Line at{};
     Value dz;
     static void fields(auto& e, auto&& field) { field("dz", e.dz); }
@@ -916,7 +916,7 @@ struct Rejoin {
 struct RelationFound {
     static constexpr Kind kind{"relation", Detail::polygons};
     static constexpr LineSet lines{WF4};
-    static constexpr std::string_view says = "how the polygon lies to the window";
+    static constexpr std::string_view says = "the relation of the polygon to the window";
     static constexpr Procedure result_of = Procedure::relation;
     Line at{};
     PolygonPlace polygon;
@@ -1098,7 +1098,7 @@ struct CutToArea {
 struct Facets {
     static constexpr Kind kind{"facets", Detail::polygons};
     static constexpr LineSet lines{WA2};
-    static constexpr std::string_view says = "what is now to be sorted";
+    static constexpr std::string_view says = "the pieces to be sorted";
     static constexpr Procedure result_of = Procedure::split_piercing;
     Line at{};
     std::vector<PolygonPart> pieces;
@@ -1128,7 +1128,7 @@ struct PopList {
     static constexpr Kind kind{"pop_list", Detail::windows};
     static constexpr LineSet lines{WA4};
     static constexpr std::string_view says =
-        "the top of the stack, a list with this number of pieces, becomes the list in hand; its first piece, which "
+        "the top of the stack, a list with this number of pieces, becomes the current list; its first piece, which "
         "is of this polygon, clips the others";
     Line at{};
     PolygonPlace clip;  // the first of the list
@@ -1143,7 +1143,7 @@ struct Beside {
     static constexpr Kind kind{"beside", Detail::polygons};
     static constexpr LineSet lines{WA5};
     static constexpr std::string_view says =
-        "the next piece of the list in hand has its box beside that of the clip polygon: it lies outside";
+        "the next piece of the current list has its box beside that of the clip polygon: it lies outside";
     Line at{};
     PolygonPlace polygon;
     static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
@@ -1153,7 +1153,7 @@ struct Clipped {
     static constexpr Kind kind{"clipped", Detail::polygons};
     static constexpr LineSet lines{WA5, SP1};
     static constexpr std::string_view says =
-        "the next piece of the list in hand (at SP1 a piece of a pair) is cut in two, either perhaps empty";
+        "the next piece of the current list (at SP1 a piece of a pair) is cut in two, either perhaps empty";
     static constexpr Procedure result_of = Procedure::region_clip;
     Line at{};
     PolygonPlace polygon, clip;
@@ -1241,7 +1241,8 @@ struct EdgePiece {
     static constexpr Kind kind{"edge_piece", Detail::signs};
     static constexpr LineSet lines{RC2};
     static constexpr std::string_view says =
-        "how a piece of the subject's outline lies to the clip region; the last two words: on its outline";
+        "where a piece of the subject's outline lies in relation to the clip region; the last two words: on its "
+        "outline";
     Line at{};
     ValuePoint from, to;
     Lies lies{};
@@ -1347,7 +1348,7 @@ struct Painted {
 
 // FloatingHorizon
 
-/// Without a height there is none over any column.
+/// Without heights there is no horizon over any column.
 struct Horizons {
     static constexpr Kind kind{"horizons", Detail::polygons};
     static constexpr LineSet lines{FH1};
@@ -1436,12 +1437,12 @@ struct DrawLine {
     }
 };
 
-/// The columns where the horizons have changed, with their new heights.
+/// The columns where the horizons have changed, with the new heights.
 struct Horizon {
     static constexpr Kind kind{"horizon", Detail::polygons};
     static constexpr LineSet lines{FH6, FH7, FH8, SE2};
     static constexpr std::string_view says =
-        "the columns first <= x <= last were looked at (none if last < first), and the horizons have changed over "
+        "the columns first <= x <= last were examined (none if last < first), and the horizons have changed over "
         "these";
     static constexpr Procedure result_of = Procedure::horizon;
     Line at{};
@@ -1558,7 +1559,7 @@ using FloatingHorizonEvents =
 using AllEvents = decltype(EventsOfAll{} + WarnockEvents{} + ZBufferEvents{} + FamilyEvents{} + WeilerAthertonEvents{} +
                            FloatingHorizonEvents{});
 
-/// The names, each at the place of its type.
+/// The names, each at the index of its type.
 inline constexpr auto& event_names = AllEvents::names;
 
 template <class E>
@@ -1567,29 +1568,29 @@ inline constexpr std::size_t event_place = AllEvents::place_of<E>();
 template <class E>
 concept EventType = event_place<E> < AllEvents::count;
 
-/// Told by runs of curves alone.
+/// Events that only runs of curves report.
 template <class E>
 concept FloatingHorizonEvent = FloatingHorizonEvents::place_of<E>()
 < FloatingHorizonEvents::count;
 
 class Event;
 
-/// An event of any type where it lies, as long as it lies there.
+/// A view of an event of any type. It is valid as long as the event.
 class EventView {
 public:
     template <EventType E>
     EventView(const E& event) : place_(event_place<E>), event_(&event) {}
 
-    /// That of its type in AllEvents.
+    /// The index of its type in AllEvents.
     std::size_t place() const { return place_; }
 
-    /// None if it is of another type.
+    /// Null if it has another type.
     template <EventType E>
     const E* get_if() const {
         return place_ == event_place<E> ? static_cast<const E*>(event_) : nullptr;
     }
 
-    /// Calls `use(const event::Push&)` and so on, and gives what that gives.
+    /// Calls `use(const event::Push&)` and so on, and returns its result.
     decltype(auto) visit(auto&& use) const { return visit_in(AllEvents{}, use); }
 
     Event copy() const;

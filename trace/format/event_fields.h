@@ -1,4 +1,4 @@
-/// How the values of events stand in a line: enumerations as words, and small structures as lists.
+/// How the values of events are written in a line: enumerations as words, and small structures as lists.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-/// The words of an enumeration, each at the place of its value.
+/// The words of an enumeration, each at the index of its value.
 constexpr auto& words_of(Corner) { return corner_names; }
 constexpr auto& words_of(Case) { return case_names; }
 constexpr auto& words_of(Lies) { return lies_names; }
@@ -25,7 +25,7 @@ concept Word = requires(T value) {
     words_of(value);
 };
 
-/// How many items a structure has as a list; 0 if it is not written as one.
+/// The number of items of a structure as a list; 0 if it is not written as one.
 template <class T>
 inline constexpr int list_size = 0;
 template <>
@@ -78,7 +78,7 @@ constexpr bool is_fraction(std::string_view text) {
     return slash != std::string_view::npos && is_digits(text.substr(0, slash)) && is_digits(text.substr(slash + 1));
 }
 
-/// What a machine's number is that is no fraction.
+/// Numbers of the machine that are not fractions.
 inline constexpr std::array<std::string_view, 3> not_fractions{"inf", "-inf", "nan"};
 
 constexpr bool is_fraction_or_none(std::string_view text) {

@@ -18,14 +18,14 @@ inline PolygonNames polygon_names(const Scene& scene) {
     return names;
 }
 
-/// How many bytes an event takes as a line, at most: each piece of it adds what it may take.
+/// The most bytes that an event may take as a line, the sum of the limits of its pieces.
 class LineBound {
 public:
     explicit LineBound(const PolygonNames& names) : names_(names) {}
 
     template <class E>
     std::size_t operator()(const E& event) {
-        bytes_ = 100;  // the longest names of an event and of a line, and what stands around them
+        bytes_ = 100;  // the longest names of an event and of a line, with the characters around them
         E::fields(event, [&](std::string_view key, const auto& value, const Meaning& = any_number) {
             bytes_ += key.size() + std::string_view(R"(,"":)").size();
             add(value);

@@ -1,6 +1,6 @@
-/// EventSink: whatever hears the events of a run: a writer, a judge, a test.
+/// EventSink: hears the events of a run: a writer, a judge, a test.
 ///
-/// A recorder knows this one type, so that a run is compiled once for all who hear it.
+/// A recorder knows only this type, so that a run is compiled once for all sinks.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// Hears each event of the level that was asked for. It may throw to end the run.
+/// Hears each event of the requested level. It may throw to end the run.
 class EventSink {
 public:
     virtual void hear(const EventView& event) = 0;

@@ -1,4 +1,4 @@
-/// What a trace of a run of curves has of its own: its first line, and what came out.
+/// The first line and the result in the trace of a run of curves.
 #pragma once
 
 #include "choice/edition.h"
@@ -26,7 +26,7 @@ std::string header_json(const FloatingHorizonHeader& header);
 /// The visible lines, as a run has them at its end.
 using DrawnLines = std::vector<VisibleLine<Value>>;
 
-/// "sha256:" and the hash of the lines in their order: `[curve,[x,y],[x,y]]` and a line feed each, with the numbers that a trace has.
+/// "sha256:" and the hash of the lines in order, `[curve,[x,y],[x,y]]` and a line feed for each, with numbers as in a trace.
 std::string lines_hash(const DrawnLines& lines);
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// The polygons of a scene by their ids, as a trace names them.
+/// The polygons of a scene by the ids that a trace uses.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ public:
         for (std::size_t i = 0; i < names.size(); ++i) places_.emplace(names[i], int(i));
     }
 
-    /// By the id as a string of JSON, in its quotes. None if there is no such polygon.
+    /// Finds a polygon by its id as a JSON string with quotes. None if there is no such polygon.
     std::optional<PolygonPlace> find(std::string_view name) const {
         const auto found = places_.find(name);
         return found == places_.end() ? std::nullopt : std::optional(PolygonPlace{found->second});

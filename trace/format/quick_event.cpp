@@ -175,7 +175,7 @@ private:
     }
 
     const EventContext& context_;
-    const Meaning* meaning_ = &any_number;  // of the field in hand
+    const Meaning* meaning_ = &any_number;  // of the current field
 };
 
 template <class E>

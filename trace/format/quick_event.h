@@ -1,7 +1,7 @@
-/// QuickEvents: events out of lines as the program writes them: keys in the order of event.h, no spaces.
+/// QuickEvents: reads events from lines in the form that the program writes: keys in the order of event.h, no spaces.
 ///
-/// A line that is written otherwise, or wrong, is left to tree_event.h, which takes keys in any order and says what is wrong. What both
-/// read is the same.
+/// Lines in another form, or with errors, are left to tree_event.h, which takes keys in any order and reports errors. Both readers agree
+/// on the lines that both read.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace vidno {
 
 class QuickEvents {
 public:
-    /// The context must outlive it.
+    /// The context must outlive this object.
     explicit QuickEvents(const EventContext& context) : context_(&context) {}
 
-    /// The event lies here until the next line is read. None for a line that is written otherwise.
+    /// The event is valid until the next line is read. None for a line in another form.
     std::optional<EventView> read(std::string_view line);
 
 private:

@@ -1,4 +1,4 @@
-/// SHA-256, from the library at hand.
+/// SHA-256, from the available library.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ std::string read_kernel(const JsonNode& node) {
     return node.text();
 }
 
-/// What headers of both kinds have.
+/// The fields that headers of both kinds have.
 void read_run(const JsonNode& object, auto& header) {
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
     header.edition = read_edition(member(object, "edition"));

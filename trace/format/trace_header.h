@@ -1,4 +1,4 @@
-/// The first line of a trace, as its readers take it.
+/// The first line of a trace, for readers.
 #pragma once
 
 #include <initializer_list>

@@ -38,9 +38,9 @@ TraceEnd read_end(const JsonNode& object, std::string_view result) {
 
 struct TraceFile::Reading {
     EventContext context;
-    std::string_view result;  // the name of what came out
+    std::string_view result;  // the key of the result: "picture" or "lines"
     QuickEvents quick;
-    std::optional<Event> otherwise;  // the last event that was not written as the program writes it
+    std::optional<Event> otherwise;  // the last event not in the form that the program writes
 
     Reading(EventContext by, std::string_view result_name)
         : context(std::move(by)), result(result_name), quick(context) {}

@@ -1,4 +1,4 @@
-/// TraceReader: a trace file of polygons, event by event; FloatingHorizonTraceReader: one of curves.
+/// TraceReader: reads a trace file of polygons, event by event; FloatingHorizonTraceReader: reads one of curves.
 #pragma once
 
 #include <memory>
@@ -14,37 +14,37 @@ namespace vidno {
 
 class JsonNode;
 
-/// What the last line says.
+/// The contents of the last line.
 struct TraceEnd {
     std::uint64_t events = 0;
     std::string hash;  // of the picture or the lines; empty if partial
     bool partial = false;
 };
 
-/// A trace of which the first line was read: all that does not depend on what the run was of.
+/// A trace whose first line was read: everything that is the same for polygons and curves.
 class TraceFile {
 public:
-    /// `file` is the name in messages. Throws Refused.
+    /// `file` is its name in messages. Throws Refused.
     TraceFile(LineReader lines, std::string file);
     TraceFile(TraceFile&&) noexcept;
     ~TraceFile();
 
-    /// The next event, which lies here until the one after it is read; none at the end. Throws Refused, with the line, for anything that
-    /// is not one.
+    /// The next event, valid until the one after it is read; none at the end. Throws Refused, with the line number, for a line that is not
+    /// an event.
     std::optional<EventView> next();
 
-    /// After the last event: what the file says of itself, none if it was cut short.
+    /// After the last event: the contents of the last line, none if the file was cut short.
     const std::optional<TraceEnd>& end() const { return end_; }
 
     std::uint64_t events() const { return events_; }
 
-    /// `file:line`, of the line that was read last.
+    /// `file:line` for the line that was read last.
     std::string place() const { return file_ + ":" + std::to_string(line_number_); }
 
     bool is_of_curves() const;
 
 protected:
-    /// What `read` makes of the first line; `result` is the name of what came out.
+    /// Reads the first line by `read`; `result` is the key of the result in the last line.
     template <class Header>
     Header header_by(Header (*read)(const JsonNode&), std::string_view result);
 
@@ -65,7 +65,7 @@ private:
 
 class TraceReader : public TraceFile {
 public:
-    /// Reads the header. `file` is the name in messages. Throws Refused.
+    /// Reads the header. `file` is its name in messages. Throws Refused.
     TraceReader(LineReader lines, std::string file) : TraceReader(TraceFile(std::move(lines), std::move(file))) {}
     explicit TraceReader(TraceFile file);
 
@@ -86,10 +86,10 @@ private:
     FloatingHorizonHeader header_;
 };
 
-/// A trace of either kind, for what does the same with both: `std::visit`.
+/// A trace of either kind, for code that handles both by `std::visit`.
 using AnyTraceReader = std::variant<TraceReader, FloatingHorizonTraceReader>;
 
-/// Reads the header. `file` is the name in messages. Throws Refused.
+/// Reads the header. `file` is its name in messages. Throws Refused.
 AnyTraceReader open_trace(LineReader lines, std::string file);
 
 }  // namespace vidno

@@ -26,16 +26,16 @@ std::string header_json(const TraceHeader& header);
 /// "sha256:" and the hash of the bytes.
 std::string hash_text(std::string_view bytes);
 
-/// That of the rows from the top, three bytes R, G, B a pixel.
+/// The hash of the rows from the top, three bytes R, G, B for each pixel.
 std::string picture_hash(const Picture& picture);
 
-/// Thrown out of a run that has told as many events as it may; finish_partial keeps what was told.
+/// Thrown to end a run that reaches its limit of events; finish_partial keeps the events so far.
 struct EventLimitReached {};
 
-/// Where the lines of a trace are in its text, for who would else have to look for them.
+/// The positions of the lines of a trace in its text, for callers that would otherwise have to search for them.
 struct LineIndex {
     std::vector<std::uint32_t> starts;  // of each event, and of the last line
-    std::vector<std::uint8_t> names;    // of each event, the place in Event
+    std::vector<std::uint8_t> names;    // for each event, its index in AllEvents
 };
 
 class TraceWriter final : public EventSink {
@@ -43,16 +43,16 @@ public:
     using Write = std::function<void(std::string_view)>;
     static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-    /// The header is that of a run of any kind. The index, if there is one, is for a text of less than 2^32 bytes.
+    /// The header belongs to a run of any kind. The index, if given, is for a text of less than 2^32 bytes.
     template <class Header = TraceHeader>
     TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
         : TraceWriter(header_json(header), polygon_names(header.scene), std::move(write), most_events, index) {}
 
-    /// Throws EventLimitReached instead of writing one more than the most.
+    /// Throws EventLimitReached instead of writing more events than the limit.
     void hear(const EventView& event) override;
 
     void finish(const Picture& picture) { finish("picture", picture_hash(picture)); }
-    /// What came out, by its name, and its hash.
+    /// The key and the hash of the result.
     void finish(std::string_view result, const std::string& hash);
     void finish_partial();
 

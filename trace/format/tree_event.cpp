@@ -50,7 +50,7 @@ private:
     }
 
     void value(const JsonNode& node, Value& target) const {
-        // Rows stand as plain numbers under every kernel.
+        // Rows are plain numbers under every kernel.
         const std::string text = node.is_text() ? node.text() : "";
         if (node.value().is_number()) {
             target.number = node.value().get<double>();
@@ -157,7 +157,7 @@ private:
     const JsonNode& object_;
     const EventContext& context_;
     std::size_t fields_ = 0;
-    Meaning meaning_;  // of the field in hand
+    Meaning meaning_;  // of the current field
 };
 
 template <class E>

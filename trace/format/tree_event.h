@@ -1,4 +1,4 @@
-/// An event out of a line's tree of JSON values: keys in any order. What is wrong is refused with its path.
+/// Reads an event from a line's tree of JSON values, with keys in any order. Errors are refused with their path.
 ///
 /// quick_event.h reads the lines that the program writes, which are most; this reader takes the others.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-/// What the header of a trace says about its events.
+/// The properties of a trace's events that its header determines.
 struct EventContext {
     Detail detail{};
     bool is_exact = false;  // numbers may be fractions
@@ -19,7 +19,7 @@ struct EventContext {
 /// Throws Refused.
 Event read_event(const JsonNode& object, const EventContext& context);
 
-/// The place of the node's text among the names. Throws Refused.
+/// The index of the node's text among the names. Throws Refused.
 template <std::size_t count>
 std::size_t place_of_word(const JsonNode& node, const std::array<std::string_view, count>& names) {
     if (node.is_text()) {

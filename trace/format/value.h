@@ -22,14 +22,14 @@ struct Value {
     static Value infinite() { return {std::numeric_limits<double>::infinity()}; }
     static Value minus_infinite() { return {-std::numeric_limits<double>::infinity()}; }
 
-    /// Equal as written: NaN equals itself, -0 equals 0.
+    /// Equality as written: NaN equals itself, -0 equals 0.
     bool operator==(const Value& other) const {
         if (fraction || other.fraction) return fraction && other.fraction && *fraction == *other.fraction;
         return number == other.number || (number != number && other.number != other.number);
     }
 };
 
-/// The number itself; of a fraction the nearest one, perhaps but for its last digits. Of x/0, NaN.
+/// The number itself; for a fraction the nearest double, up to its last digits; for x/0, NaN.
 double number_of(const Value& value);
 
 /// A number of the kernel K.

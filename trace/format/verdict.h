@@ -1,4 +1,4 @@
-/// Verdict: what exact arithmetic says of one decision of a run.
+/// Verdict: the judgement of exact arithmetic on one decision of a run.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace vidno {
 
-/// What is decided: a comparison of two numbers, or a question to the kernel by its name there.
+/// The kind of a decision: a comparison of two numbers, or a question to the kernel, by its name there.
 enum class Decision : unsigned char {
     comparison,
     orientation,
@@ -37,22 +37,22 @@ inline constexpr std::array<std::string_view, 14> decision_names{
     "comparison", "orientation", "nearer",       "outside", "inside",     "first_centre", "last_centre",
     "rows",       "columns",     "same_rounded", "pixel",   "visibility", "left_of",      "parallel"};
 
-/// Yes or no, a sign or a pixel, or the half-open range that was found.
+/// Yes or no, a sign or a pixel, or a half-open range.
 using Answer = std::variant<bool, int, std::pair<int, int>>;
 
-/// The right answer along the path that was taken. None: undefined, for a wrong turn led to a division by zero.
+/// The right answer along the path that was taken. None if it is undefined, because a wrong decision led to a division by zero.
 struct Truth {
     std::optional<Answer> answer;
     bool operator==(const Truth&) const = default;
 };
 
-/// A number as a fraction "p/q" in lowest terms; "inf", "-inf" or "nan" of a machine's number that is none. Empty: undefined.
+/// A number as a fraction "p/q" in lowest terms, or "inf", "-inf" or "nan". Empty: undefined.
 struct Fraction {
     std::string text;
     bool operator==(const Fraction&) const = default;
 };
 
-/// A number that a decision was taken on: as the run had it, and as it should have been along the path that was taken.
+/// A number on which a decision was taken: as the run had it, and as it should have been along the path that was taken.
 struct Operand {
     std::string name;
     Fraction used, exact;
@@ -60,18 +60,18 @@ struct Operand {
 };
 using Operands = std::vector<Operand>;
 
-/// What a checked trace tells beside a decision; another trace, nothing.
+/// The fields that a checked trace adds to a decision; empty in other traces.
 struct Told {
     std::optional<Truth> exact{};
     std::optional<FilterStage> by{};  // under `filtered`: what decided
     std::optional<Operands> operands{};
 };
 
-/// Why a decision is wrong: its operation rounded, or it is right for operands that had drifted before.
+/// Why a decision is wrong: its operation rounded, or it is right for its operands, which had drifted before.
 enum class Cause : unsigned char { rounded, drifted };
 inline constexpr std::array<std::string_view, 2> cause_names{"rounded", "drifted"};
 
-/// What it means that the two numbers of a decision are equal.
+/// The meaning of an equality of the two numbers of a decision.
 enum class Coincidence : unsigned char {
     point_on_line,
     equal_depths,
@@ -86,7 +86,7 @@ inline constexpr std::array<std::string_view, 8> coincidence_names{
     "point_on_line",   "equal_depths",  "parallel_lines",   "shared_points",
     "on_pixel_centre", "box_on_window", "curve_on_horizon", "equal_numbers"};
 
-/// What a decision comes down to: which of two numbers is the greater. The gap between them is the first less the second.
+/// The comparison of two numbers that determines a decision. The gap between them is the first minus the second.
 struct Gap {
     Coincidence if_zero{};
     Value computed;  // by the run's arithmetic
@@ -96,11 +96,11 @@ struct Gap {
     std::optional<int> pixel{};  // the column or row, if the second number is the centre of one
 };
 
-/// What a decision was computed from. It refers to the run's own numbers, and is asked while the judge hears the verdict.
+/// The numbers from which a decision was computed. It refers to the run's own numbers, so query it only while the judge hears the verdict.
 class Calculator {
 public:
     virtual Operands operands() const = 0;
-    /// None where the truth is undefined, or a number is none.
+    /// None where the truth is undefined, or a number is not finite.
     virtual std::optional<Gap> gap() const = 0;
 
 protected:

@@ -36,7 +36,7 @@ struct Symmetry {
     }
 };
 
-/// Eight of a square, four of another rectangle; the first leaves all as it is.
+/// Eight symmetries for a square, four for another rectangle; the first is the identity.
 std::vector<Symmetry> symmetries_of(const Area& area) {
     std::vector<Symmetry> symmetries;
     for (const bool transposed : {false, true}) {
@@ -113,7 +113,7 @@ bool is_planar_exactly(const Vertices& vertices) {
     });
 }
 
-/// By how much z grows in the polygon's plane along a way in x and y.
+/// The increase of z in the polygon's plane along a vector in x and y.
 double rise(const Vertices& vertices, glm::dvec2 way) {
     const auto corner = corner_of(vertices);
     if (!corner) return 0;
@@ -123,7 +123,7 @@ double rise(const Vertices& vertices, glm::dvec2 way) {
     return (way.x * (a.z * b.y - a.y * b.z) + way.y * (a.x * b.z - a.z * b.x)) / area;
 }
 
-/// At how many vertices the outline turns.
+/// The number of vertices at which the outline turns.
 std::ptrdiff_t turns_of(const Vertices& vertices) {
     std::ptrdiff_t turns = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -170,14 +170,14 @@ public:
 
     const Scene& scene() const { return scene_; }
 
-    /// The picture of a scene that is as hard as the original.
+    /// The picture of a scene, if it is as hard as the original.
     std::optional<Picture> picture_if_as_hard(const Scene& scene) const {
         auto [profile, picture] = profiled_run(scene, method_);
         if (!is_as_hard(profile, profile_)) return std::nullopt;
         return std::move(picture);
     }
 
-    /// Tries a step; whether it was taken.
+    /// Tries a step. Returns whether it was taken.
     bool step() {
         const auto place = std::size_t(random_.whole(0, int(scene_.polygons.size()) - 1));
         Scene changed = scene_;
@@ -199,7 +199,7 @@ private:
         return std::mt19937(seeds);
     }
 
-    /// One step of the lattice, or up to as many as an eighth of the range has, to either side.
+    /// One step of the lattice, or up to an eighth of the range, in either direction.
     double steps(int places, int range) {
         const int most = std::max(1, random_.whole(0, 1) * int(std::ldexp(range, places)) / 8);
         return std::ldexp(random_.whole(-most, most), -places);
@@ -227,7 +227,7 @@ private:
     static void shift(Vertices& vertices, const glm::dvec3& by) {
         for (auto& vertex : vertices) vertex += by;
     }
-    /// A vertex, or the two of an edge. Only a triangle may change its plane.
+    /// Moves a vertex, or the two of an edge. Only a triangle may change its plane.
     void move_some(Vertices& vertices, std::size_t count, glm::dvec2 by) {
         const double up = vertices.size() == 3 ? 0 : rise(vertices, by);
         const auto first = std::size_t(random_.whole(0, int(vertices.size()) - 1));
@@ -239,7 +239,7 @@ private:
         const double both = left->x + right->x;
         for (auto& vertex : vertices) vertex.x = both - vertex.x;
     }
-    /// By a quarter, about the first vertex.
+    /// Rotates by a quarter turn about the first vertex.
     static void turn(Vertices& vertices) {
         const glm::dvec3 about = vertices.front();
         for (auto& vertex : vertices) {

@@ -3,10 +3,10 @@
 /// Takes   a scene that can be worked by hand (expect_by_hand), the method by which its profile (profile.h) is taken,
 ///         how many exercises are wanted, and a seed.
 /// Gives   scenes with the same area, polygons, ids, colours and numbers of vertices, each polygon on the lattice of
-///         its own original: no coordinate needs more binary places than its polygon had. They are planar exactly,
-///         reach no farther than the original, and are as hard. Of any two, the original included, the pictures differ
-///         in more than one pixel in 32, however either is mirrored or turned. Fewer than wanted if the search ends
-///         without finding more.
+///         its own original: no coordinate needs more binary places than its polygon had. They are exactly planar,
+///         reach no farther than the original, and are equally hard. The pictures of any two, the original included,
+///         differ in more than one pixel in 32, however either is mirrored or rotated. There may be fewer than requested
+///         if the search finds no more.
 /// How     a walk from the original, a small change a step: a polygon is shifted, raised, mirrored or turned in place,
 ///         or a vertex or an edge of it is moved; a step that would make the run harder or easier is not taken. Now and
 ///         then the whole scene, mirrored or turned, is an exercise.
@@ -24,11 +24,11 @@ namespace vidno {
 
 inline constexpr std::size_t most_exercises = 1000;
 
-/// Refuses a scene without polygons, one whose coordinates have more binary places than anybody computes with by hand,
-/// and one that is not planar exactly.
+/// Refuses a scene without polygons, one whose coordinates have too many binary places for computing by hand, and one that is not exactly
+/// planar.
 void expect_by_hand(const Scene& scene, const std::string& file);
 
-/// `progress` hears how many there are so far, at each attempt.
+/// `progress` hears the number of exercises so far, at each attempt.
 std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
                                 const std::function<void(std::size_t)>& progress);
 

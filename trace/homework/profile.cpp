@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// The sink that draws up the profile. What a run says more than once is counted under one name.
+/// The sink that builds the profile. Repeated events are counted under one name.
 class Profiler final : public EventSink {
 public:
     explicit Profiler(const Scene& scene) : scene_(scene) {}
@@ -80,7 +80,7 @@ std::uint64_t sum_of(const Profile& profile) {
     return sum;
 }
 
-/// But for the so manieth part of the second, rounded up.
+/// Whether two counts differ by at most 1/`part` of the second, rounded up.
 bool is_about(std::uint64_t count, std::uint64_t other, std::uint64_t part) {
     const std::uint64_t difference = count > other ? count - other : other - count;
     return difference <= (other + part - 1) / part;

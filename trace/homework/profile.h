@@ -1,13 +1,13 @@
-/// Profile: how hard a run is for who does it by hand, as the decisions that are met and how much there is to write.
+/// Profile: how hard a run is to work by hand, measured by the cases that occur and the amount of writing.
 ///
 /// Met     the lines of the listing that are reached; the polygons' colours that are seen; whether two depths tie, and
-///         whether a point lies on the line of an edge; of Warnock's algorithm each case of W7 to W13 with the level of
-///         the quadtree at which it occurs; of the Z-buffer which polygons have pixels and lose some.
-/// Counts  Warnock: the windows of each case and level, and the entries of their APLs. Z-buffer, of each polygon: rows,
+///         whether a point lies on the line of an edge; for Warnock's algorithm, each case of W7 to W13 with the level of
+///         the quadtree at which it occurs; for the Z-buffer, the polygons that have pixels and those that lose some.
+/// Counts  Warnock: the windows of each case and level, and the entries of their APLs. Z-buffer, for each polygon: rows,
 ///         changes of the AEL, pixels written and pixels rejected.
 ///
-/// Two runs are equally hard if they meet the same, each count is the same but for a tenth, and the sum of all but for
-/// a twentieth, both rounded up.
+/// Two runs are equally hard if they meet the same cases, each count differs by at most a tenth, and the sum of all counts by at most a
+/// twentieth, both rounded up.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace vidno {
 
 struct Profile {
     std::set<std::string> met;
-    std::map<std::string, std::uint64_t> counts;  // none is 0
+    std::map<std::string, std::uint64_t> counts;  // never 0
 
     bool operator==(const Profile&) const = default;
 };

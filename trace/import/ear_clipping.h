@@ -1,8 +1,8 @@
 /// Ear clipping: a simple polygon of the plane cut into triangles, exactly.
 ///
 /// Source  G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975).
-/// Takes   vertices of which x and y count; an outline that touches itself, as where a hole is bridged, is fine.
-/// Gives   triangles of indices that turn the way the outline does; none if the outline crosses itself or has no area.
+/// Takes   vertices, whose z is ignored; the outline may touch itself, as where a hole is bridged.
+/// Gives   triangles of indices, with the orientation of the outline; none if the outline crosses itself or has no area.
 /// Time    quadratic for usual outlines, cubic at worst.
 #pragma once
 
@@ -17,10 +17,10 @@ namespace vidno {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// The largest outline that is tried: a face of more corners that is not convex is not a face that anyone drew.
+/// The largest outline that is tried. Nobody draws a face that is not convex with more corners.
 inline constexpr std::size_t most_corners_to_clip = 512;
 
-/// Do two edges meet in a point inside both?
+/// Do two edges cross in a point inside both?
 inline bool cross(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, const glm::dvec3& s) {
     using admission::turn;
     return turn(p, q, r) * turn(p, q, s) < 0 && turn(r, s, p) * turn(r, s, q) < 0;
@@ -36,7 +36,7 @@ inline bool crosses_itself(const std::vector<glm::dvec3>& vertices) {
     return false;
 }
 
-/// May the corner be cut off: does it turn the outline's way, with no other vertex in or on the triangle?
+/// May the corner be cut off? It must turn like the outline, with no other vertex in or on the triangle.
 inline bool is_ear(const std::vector<glm::dvec3>& vertices, const std::vector<std::size_t>& outline,
                    const Triangle& corner, int sign) {
     using admission::same_place, admission::turn;

@@ -19,7 +19,7 @@
 namespace vidno {
 namespace {
 
-/// The least sphere about the middle of the box around the vertices in use.
+/// The smallest sphere about the centre of the box around the used vertices.
 struct Sphere {
     glm::dvec3 middle;
     double radius;
@@ -36,7 +36,7 @@ Sphere sphere_around(const MeshSoup& mesh) {
     return {low / 2.0 + high / 2.0, glm::length(high / 2.0 - low / 2.0)};
 }
 
-/// Sees the whole sphere, from in front, a little from above and the right.
+/// A camera that sees the whole sphere from the front, a little from above and from the right.
 Camera camera_for(const Sphere& sphere, double aspect) {
     constexpr double room = 1.02;
     Camera camera;
@@ -61,7 +61,7 @@ Color tone(const Camera& camera, const ScenePolygon& face) {
     return {std::uint8_t(std::lround(mixed.x)), std::uint8_t(std::lround(mixed.y)), std::uint8_t(std::lround(mixed.z))};
 }
 
-/// The file's own name without folders and ending, as UTF-8 whatever it is.
+/// The file's name without folders and extension, as valid UTF-8.
 std::string scene_name(const std::string& file) {
     std::string name = file.substr(file.find_last_of("/\\") + 1);
     name = name.substr(0, name.rfind('.'));

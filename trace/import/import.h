@@ -17,9 +17,9 @@ struct ImportOptions {
     Color background{255, 255, 255};
 };
 
-/// `bytes` are the file's, `file` its name, whose ending says the format: obj, off, ply or stl. A polygon's id is the
-/// number of its face, from 0; parts of a face that had to be cut are 7.1, 7.2, ... Its colour is a tone, the lighter
-/// the more the face turns to the viewer. The warnings say what was read, dropped and cut. Throws Refused.
+/// `bytes` are the file's contents, `file` is its name, whose extension gives the format: obj, off, ply or stl. A polygon's id is the
+/// number of its face, from 0; the parts of a face that had to be cut are 7.1, 7.2, ... Its colour is lighter the more the face turns to
+/// the viewer. The warnings report what was read, dropped and cut. Throws Refused.
 SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options);
 
 }  // namespace vidno

@@ -1,7 +1,7 @@
 /// Mesh soup: the points and faces of a mesh, and a reader for each format.
 ///
-/// The readers trust nothing that a file says of itself: they refuse a header that promises more than the file can hold, and a face of
-/// a vertex that is not there. They pass over all but points and faces.
+/// The readers do not trust the counts in a file: they refuse a header that promises more than the file can hold, and a face with a
+/// vertex that does not exist. They skip everything but points and faces.
 #pragma once
 
 #include <array>
@@ -31,10 +31,10 @@ struct MeshFormat {
 inline constexpr std::array mesh_formats{MeshFormat{"obj", read_obj}, MeshFormat{"off", read_off},
                                          MeshFormat{"ply", read_ply}, MeshFormat{"stl", read_stl}};
 
-/// What the names of meshes end in: ".obj, .off, .ply or .stl".
+/// The extensions of mesh files: ".obj, .off, .ply or .stl".
 std::string mesh_endings();
 
-/// `bytes` are the file's, `file` its name, whose ending says the format. Throws Refused.
+/// `bytes` are the file's contents, `file` is its name, whose extension gives the format. Throws Refused.
 MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file);
 
 }  // namespace vidno

@@ -46,7 +46,7 @@ public:
 
     std::size_t bytes_left() const { return format_ == PlyFormat::ascii ? words_.bytes_left() + 1 : bytes_.size(); }
 
-    /// What a number takes at least: a digit and a blank, or its bytes.
+    /// The fewest bytes that a number takes: a digit and a blank, or its binary size.
     std::size_t least_size(const PlyType& type) const { return format_ == PlyFormat::ascii ? 2 : type.size; }
 
     double number(const PlyType& type) {
@@ -138,7 +138,7 @@ PlyHeader ply_header(TextWords& words) {
     throw Refused("the file ends in its header");
 }
 
-/// Where the element has a property; refused if it has none, or one of the wrong kind.
+/// The index of an element's property; refused if it is missing or has the wrong type.
 std::size_t ply_find(const PlyElement& element, std::string_view name, std::string_view other_name, bool list) {
     const auto& properties = element.properties;
     const auto found = std::find_if(properties.begin(), properties.end(), [&](const PlyProperty& property) {
@@ -151,7 +151,7 @@ std::size_t ply_find(const PlyElement& element, std::string_view name, std::stri
     return std::size_t(found - properties.begin());
 }
 
-/// Reads one item: the numbers of each property, one unless it is a list.
+/// Reads one item: the numbers of each property, which has one unless it is a list.
 void ply_item(PlyBody& body, const PlyElement& element, std::vector<std::vector<double>>& item) {
     item.resize(element.properties.size());
     for (std::size_t i = 0; i < item.size(); ++i) {

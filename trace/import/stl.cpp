@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t stl_header_size = 80, stl_triangle_size = 50;
 
-/// The number of triangles that a binary STL file promises; none if the file is too short to say.
+/// The number of triangles that a binary STL file promises; none if the file is too short.
 std::optional<std::uint32_t> stl_count(std::string_view bytes) {
     if (bytes.size() < stl_header_size + 4) return std::nullopt;
     std::uint32_t count = 0;
@@ -82,7 +82,7 @@ MeshSoup read_text_stl(std::string_view bytes) {
 
 }  // namespace
 
-/// A binary file may begin with "solid", too, as text does.
+/// A binary file may begin with "solid", like a text file.
 MeshSoup read_stl(std::string_view bytes) {
     const std::optional<std::uint32_t> count = stl_count(bytes);
     const bool exactly_binary = count && bytes.size() == stl_header_size + 4 + stl_triangle_size * std::size_t{*count};

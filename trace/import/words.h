@@ -1,4 +1,4 @@
-/// TextWords: what the readers of mesh files share: text word by word, and checks of what a file says of itself.
+/// TextWords: code that the readers of mesh files share: reading text word by word, and checking the counts of a header.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline void check_face_count(std::uint64_t count) {
     if (count > most_polygons) throw Refused("more than " + std::to_string(most_polygons) + " faces");
 }
 
-/// A promise in a header against what is there.
+/// Checks a count in a header against the size of the file.
 inline void check_count(std::uint64_t count, std::string_view what, std::uint64_t least_size, std::size_t bytes_left) {
     if (count <= bytes_left / least_size) return;
     throw Refused("the header says " + std::to_string(count) + " " + std::string(what) +
@@ -88,7 +88,7 @@ public:
         return point;
     }
 
-    /// A word as a number; what is not finite is refused.
+    /// A word as a number, which must be finite.
     double number(std::string_view word) const {
         if (word.starts_with('+')) word.remove_prefix(1);
         double value = 0;

@@ -11,13 +11,13 @@ namespace {
 
 using nlohmann::json;
 
-/// Keys that tell the format of a file which leaves it out.
+/// Keys that determine the format of a file without "format".
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> telling_keys{{{"polygons", "vidno-scene/1"},
                                                                                      {"curves", "vidno-surface/1"},
                                                                                      {"function", "vidno-surface/1"},
                                                                                      {"fails", "vidno-failure/1"}}};
 
-/// Hears the parser up to the member of the outermost object that tells its format.
+/// Follows the parser up to the member of the outermost object that determines its format.
 class FormatFinder : public nlohmann::json_sax<json> {
 public:
     std::string format;
@@ -48,7 +48,7 @@ public:
     bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
 
 private:
-    /// Whether to go on.
+    /// Whether to continue.
     bool next() const { return depth_ > 0 && !is_format_; }
     bool open() {
         ++depth_;

@@ -1,4 +1,4 @@
-/// Which format a document of JSON has, by what is in it.
+/// The format of a JSON document, by its contents.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace vidno {
 
-/// The member "format" of the outermost object; of one that does not say it before a key that only one format has, that format.
-/// Empty if neither is there. Reads no further than that, and does not say what is wrong.
+/// The member "format" of the outermost object or, if a key that only one format has comes first, that format. Empty if there is neither.
+/// Reads no further than that, and does not report errors.
 std::string document_format(std::string_view text);
 
 }  // namespace vidno

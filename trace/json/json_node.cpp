@@ -29,8 +29,8 @@ namespace {
 
 constexpr int deepest_nesting = 16;
 
-/// Builds the document from what the parser hears, and refuses what a tree would not show any more: text that is not JSON, with its
-/// place, nesting that is too deep, and a key that an object has twice.
+/// Builds the document from the parser's calls, and refuses what a tree could no longer show: text that is not JSON, with its place,
+/// nesting that is too deep, and a key that an object has twice.
 class DocumentBuilder : public nlohmann::json_sax<json> {
 public:
     explicit DocumentBuilder(std::string_view text) : text_(text) {}
@@ -67,7 +67,7 @@ private:
     /// An array or an object that is not closed yet.
     struct Level {
         json* container;
-        json::object_t::value_type* member = nullptr;  // of an object, the one whose key was read last
+        json::object_t::value_type* member = nullptr;  // in an object, the one whose key was read last
     };
 
     /// The place of the value that is read.

@@ -1,4 +1,4 @@
-/// Reading JSON that others wrote: what is wrong is refused with its place in the document, and nothing is passed over.
+/// Reads JSON from elsewhere: errors are refused with their place in the document, and nothing is ignored.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -23,22 +23,21 @@ struct NotJson : Refused {
 /// The document. Throws NotJson, or Misread for text that is nested too deeply or has an object with the same key twice.
 nlohmann::json parse_json(std::string_view text);
 
-/// Text from elsewhere inside a message of one line: no control characters, and not too long.
+/// Text from elsewhere, prepared for a message of one line: no control characters, and not too long.
 std::string printable(std::string_view text);
 
-/// A value and where it stands; `refuse` and each reading that fails throw Misread. Only what goes wrong costs the
-/// making of a path.
+/// A value and its place. `refuse` and each failed read throw Misread. A path is built only for errors.
 class JsonNode {
 public:
     explicit JsonNode(const nlohmann::json& value) : value_(value) {}
 
     [[noreturn]] void refuse(std::string_view reason) const;
 
-    /// An object with all of the required keys and none but these and the optional ones; else each key at fault is told.
+    /// Requires an object with all required keys, and no others except the optional ones. Reports each key at fault.
     void require_keys(std::initializer_list<std::string_view> required,
                       std::initializer_list<std::string_view> optional = {}) const;
 
-    /// Of an object: its member "format", if it is there, is this. Another one makes all else of no interest.
+    /// Requires that an object's member "format", if present, is this one. With another format nothing else is checked.
     void expect_format(std::string_view format) const;
 
     bool has(std::string_view key) const { return value_.contains(key); }
@@ -51,7 +50,7 @@ public:
     std::size_t size() const;
     JsonNode at(std::size_t index) const { return JsonNode(value_[index], this, {}, index); }
 
-    /// Of an object, sorted.
+    /// The keys of an object, sorted.
     std::vector<std::string> keys() const;
 
     const nlohmann::json& object() const;
@@ -78,7 +77,7 @@ private:
     std::size_t index_ = 0;
 };
 
-/// What `read` makes of a document. A refusal names the file and, where something in the document is at fault, its line and column.
+/// Reads a document by `read`. A refusal names the file and, for an error in the document, the line and column.
 auto read_json(std::string_view text, const std::string& file, auto&& read) {
     try {
         const nlohmann::json document = parse_json(text);

@@ -1,7 +1,7 @@
-/// JsonScanner: JSON read from its start, for readers that take the text as it is mostly written.
+/// JsonScanner: reads JSON from its start, for readers of its most common form.
 ///
-/// A function that fails has read part of the text: the reader gives up, and the tree of json_node.h says what is wrong. What a function
-/// reads, it reads as the tree would.
+/// A function that fails has read part of the text; the reader then gives up, and the tree of json_node.h reports the error. A function
+/// that succeeds agrees with the tree.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +61,7 @@ public:
     /// A colour "#rrggbb".
     bool color(Color& target) { return take(target, color_of_hex(string().value_or(""))); }
 
-    /// A string as it is written, in its quotes.
+    /// A string as written, with its quotes.
     std::optional<std::string_view> written_string() {
         const char* const first = at_;
         if (!skip("\"")) return std::nullopt;

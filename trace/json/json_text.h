@@ -1,4 +1,4 @@
-/// JSON as text, written without a tree in between: numbers in their shortest form that reads back the same.
+/// JSON as text, written without a tree: numbers in their shortest form that reads back the same.
 ///
 /// Each function appends to a Text or a Pen.
 #pragma once
@@ -32,7 +32,7 @@ public:
     Text& operator+=(std::string_view part) {
         return put(part.size(), [part](char* to) { return std::copy(part.begin(), part.end(), to); });
     }
-    /// Appends what `write` puts where it is told, so many bytes at most; it gives the end.
+    /// Appends at most `most` bytes, which `write` writes to the given place; it returns their end.
     Text& put(std::size_t most, auto&& write) {
         if (room_.size() - size_ < most) grow(most);
         char* const start = room_.data() + size_;
@@ -48,15 +48,14 @@ public:
     void clear() { size_ = 0; }
 
 private:
-    // Apart from the appending, which stays small enough to be inlined.
+    // Separate from the appending, which stays small enough to be inlined.
     [[gnu::noinline]] void grow(std::size_t by) { room_.resize(2 * size_ + by + 1024); }
 
     std::string room_;
     std::size_t size_ = 0;
 };
 
-/// Text that goes where there is room for all of it. A line of a trace is written in pieces of a few bytes: one of them is
-/// a copy and nothing else.
+/// Writes text to a place with room for all of it. A line of a trace is written in pieces of a few bytes, so each piece is just a copy.
 struct Pen {
     char* at;
 
@@ -82,7 +81,7 @@ struct Shortest {
     char* operator()(char* to, auto value) const { return std::to_chars(to, to + longest_number, value).ptr; }
 };
 
-/// The same, and remembers what it wrote: a trace says most of its numbers more than once.
+/// The same with a cache, since a trace repeats most of its numbers.
 class RememberedShortest {
 public:
     char* operator()(char* to, double value) {
@@ -115,7 +114,7 @@ inline void append_integer(auto& out, std::integral auto value) {
     out.put(longest_number, [&](char* to) { return Shortest{}(to, value); });
 }
 
-/// -0 is written 0, what is not finite as a string.
+/// -0 is written as 0, numbers that are not finite as strings.
 inline void append_number(auto& out, double value, auto&& shortest) {
     // Most numbers of a trace are whole pixels and their centres. Below 100,000 no other form of them is shorter.
     if (std::abs(value) < 1e5 && 2 * value == int(2 * value)) {

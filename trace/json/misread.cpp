@@ -11,17 +11,17 @@ namespace vidno {
 
 namespace {
 
-/// Goes through a text of JSON to a place in it. At the end of the text it stays there.
+/// Walks through a JSON text to a place in it. At the end of the text it stops.
 class PlaceFinder {
 public:
     explicit PlaceFinder(std::string_view text) : text_(text) { skip_space(); }
 
     std::size_t at() const { return at_; }
 
-    /// From a container to the value of this step of a pointer; false if it is not there.
+    /// From a container to the value of this step of a pointer; false if it does not exist.
     bool enter(std::string_view step) { return is_next('[') ? enter_item(step) : enter_member(step, 1); }
 
-    /// From an object to the key of this step, where it is there for the n-th time.
+    /// From an object to the n-th occurrence of this step's key.
     bool enter_key(std::string_view step, int n) {
         if (!enter_member(step, n)) return false;
         at_ = key_;
@@ -33,7 +33,7 @@ private:
 
     void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
 
-    /// Behind a value or a key, to the sign that follows.
+    /// Skips a value or a key, up to the character that follows.
     void skip_value() {
         int depth = 0;
         do {
@@ -58,7 +58,7 @@ private:
         at_ = std::min(at_ + 1, text_.size());
     }
 
-    /// Steps over a sign.
+    /// Skips a character.
     bool skip(char c) {
         if (!is_next(c)) return false;
         ++at_;

@@ -1,4 +1,4 @@
-/// Misread: what is wrong in a document of JSON, and where.
+/// Misread: the errors in a JSON document, and their places.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace vidno {
 
-/// One thing that is wrong.
+/// One error.
 struct JsonFault {
-    /// What is pointed at: the value, its key, or the key where an object has it for the second time.
+    /// The target of the pointer: the value, its key, or the second occurrence of the key.
     enum class At : unsigned char { value, key, second_key };
 
     std::string pointer;  // RFC 6901
@@ -22,7 +22,7 @@ struct JsonFault {
     std::string told() const;
 };
 
-/// A document that is not as it should be. As an error it tells the first of its faults.
+/// A document with errors. As an exception, its message is the first fault.
 struct Misread : Refused {
     explicit Misread(JsonFault fault);
     /// At least one.
@@ -31,10 +31,10 @@ struct Misread : Refused {
     std::vector<JsonFault> faults;
 };
 
-/// Reads a document part by part: what is wrong with one keeps no other from being read, so that one pass finds all that is wrong.
+/// Reads a document part by part. An error in one part does not keep others from being read, so that one pass finds all errors.
 class Faults {
 public:
-    /// More are not worth reading.
+    /// The most faults that are collected.
     static constexpr std::size_t most = 20;
 
     /// Whether `read` could read a part. Throws Misread once there are too many faults.
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    /// Throws Misread if anything was wrong.
+    /// Throws Misread if there was an error.
     void settle() const;
 
 private:
@@ -65,10 +65,10 @@ std::string pointer_step(std::string_view key);
 /// "line 2, column 13" of a place in a text, counted from 1, in characters.
 std::string line_and_column(std::string_view text, std::size_t position);
 
-/// Where in a text of JSON a fault is. The text is JSON at least as far as there.
+/// The place of a fault in a JSON text, which is valid at least up to there.
 std::size_t position_of(const JsonFault& fault, std::string_view text);
 
-/// The faults in the order of the text, a line each: file, line and column, path in the document, reason.
+/// The faults in the order of the text, one per line: file, line and column, path in the document, reason.
 std::string told_with_places(const Misread& misread, std::string_view text, const std::string& file);
 
 }  // namespace vidno

@@ -1,5 +1,4 @@
-/// Ids of a scene: non-empty, at most longest_id bytes, no two alike; and those of the parts that a polygon is cut
-/// into.
+/// The ids of a scene: non-empty, at most longest_id bytes, all different; and those of the parts into which a polygon is cut.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +14,14 @@ namespace vidno {
 
 inline constexpr std::size_t longest_id = 200;
 
-/// The first bytes of UTF-8 text, at most so many, without half a character at the end.
+/// The longest prefix of UTF-8 text with at most `most` bytes, without half a character at its end.
 inline std::string_view first_bytes(std::string_view text, std::size_t most) {
     if (text.size() <= most) return text;
     while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
     return text.substr(0, most);
 }
 
-/// Parts of polygon "A" become "A.1", "A.2", ...; numbers that are taken are passed over. A single part keeps the id.
+/// Parts of polygon "A" become "A.1", "A.2", ...; numbers already in use are skipped. A single part keeps the id.
 class PartIds {
 public:
     explicit PartIds(std::unordered_set<std::string> taken) : taken_(std::move(taken)) {}

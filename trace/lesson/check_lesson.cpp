@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// Whether the words tell the number, however its thousands are set apart: 1365, 1,365, 1 365.
+/// Whether the words contain the number, with any separator of thousands: 1365, 1,365, 1 365.
 bool tell_number(const std::string& words, std::uint64_t number) {
     std::string digits;
     for (const char c : words) {
@@ -66,7 +66,7 @@ void check_lesson(const Lesson& lesson, Problems& problems) {
         compare_structure(lesson.english, lesson.russian, problems);
     }
     for (const Story* story : {&lesson.english, &lesson.russian}) {
-        if (!lesson.runs.empty()) check_pins(lesson, *story, problems);  // else lesson.json could not be read
+        if (!lesson.runs.empty()) check_pins(lesson, *story, problems);  // otherwise lesson.json could not be read
         check_lessons(lesson, *story, problems);
         check_written(*story, problems);
     }

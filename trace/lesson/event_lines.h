@@ -1,4 +1,4 @@
-/// EventLines: a trace as it is written, cut into the lines of its events.
+/// EventLines: splits a trace, as it is written, into the lines of its events.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace vidno {
 
 class EventLines {
 public:
-    /// Calls `hear(step, line)` for each event that ends in this piece. The header and the last line are none.
+    /// Calls `hear(step, line)` for each event that ends in this piece. The header and the last line are not events.
     void take(std::string_view text, auto&& hear) {
         rest_ += text;
         std::size_t begin = 0;

@@ -1,6 +1,6 @@
 /// Lesson: a folder with scenes, runs of them, and a story in two languages whose links are steps of the runs.
 ///
-/// lessons/WRITING.md tells how to write one.
+/// lessons/WRITING.md explains how to write one.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ namespace vidno {
 
 struct LessonRun {
     std::string name;
-    /// What it shows, in both languages; empty if not said.
+    /// What it shows, in both languages; may be empty.
     std::string english_title{}, russian_title{};
-    std::string scene = "scene.json";  // of the lesson's folder, or a mesh
+    std::string scene = "scene.json";  // a file of the lesson's folder, or a mesh
     std::string method;
     std::string kernel = "double";
     Edition edition = Edition::corrected;
@@ -32,16 +32,16 @@ struct LessonRun {
 
     bool of_curves() const { return method == floating_horizon_method; }
 
-    /// The scene's name, without what its file's name ends in; empty for `scene.json`.
+    /// The scene's name: that of its file without the extension; empty for `scene.json`.
     std::string other_scene() const;
-    /// That of the trace, for the lesson of this name.
+    /// The file name of the trace, for the lesson with this name.
     std::string trace_file(const std::string& lesson) const;
 };
 
-/// Of a run of polygons.
+/// The method of a run of polygons.
 Method method_of(const LessonRun& run);
 
-/// The parts of a procedure's state that a lesson may have shown beside its text; a run has those of its method.
+/// The parts of a procedure's state that a lesson may show beside its text; a run has those of its method.
 inline constexpr std::array<std::string_view, 13> state_parts{
     "window", "corner-depths", "active-polygons", "stack", "scanline",   "active-edges", "z-buffer",
     "list",   "parts",         "visible",         "curve", "side-edges", "horizons"};
@@ -56,34 +56,34 @@ struct Lesson {
     Story english, russian;
 
     std::string file(const std::string& name) const { return folder + '/' + name; }
-    /// The run of that name, which there is.
+    /// The run with this name, which must exist.
     const LessonRun& run(const std::string& name) const;
 };
 
-/// Reads the files of a lesson; what is wrong in them is added to the problems. Throws Refused if it is no lesson.
+/// Reads the files of a lesson, and adds their errors to the problems. Throws Refused if the folder is not a lesson.
 Lesson read_lesson(const std::string& folder, Problems& problems);
 
-/// Adds what does not fit together: pins, stories, the lessons beside this one.
+/// Adds inconsistencies between pins, stories, and the lessons beside this one.
 void check_lesson(const Lesson& lesson, Problems& problems);
 
-/// The scene of a run, of the kind that its method takes; a mesh is looked at by the default camera. Throws Refused.
+/// The scene of a run, of the kind that its method takes; a mesh is seen by the default camera. Throws Refused.
 AnyScene scene_of(const Lesson& lesson, const LessonRun& run);
 
-/// Traces a scene as a run of a lesson does.
+/// Traces a scene like a run of a lesson.
 void trace_run(const AnyScene& scene, const LessonRun& run, const TraceWriter::Write& write);
 
 /// The steps of pins, by their names.
 using Steps = std::map<std::string, std::uint64_t>;
 
-/// Runs the lesson and finds its pins. Each trace is given to `take` in pieces. What a pin says and the run does not is
-/// added to the problems. Throws Refused for a scene that is refused.
+/// Runs the lesson and finds its pins. `take` gets each trace in pieces. Adds to the problems each claim of a pin that the run contradicts.
+/// Throws Refused for a scene that is refused.
 Steps run_lesson(const Lesson& lesson, Problems& problems,
                  const std::function<void(const LessonRun&, std::string_view)>& take = {});
 
 /// The figures of a story as SVG, by the names of their files.
 using Figures = std::map<std::string, std::string>;
 
-/// The lesson as its page takes it, on one line.
+/// The lesson in the form that its page reads, on one line.
 std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures& in_english, const Figures& in_russian);
 
 }  // namespace vidno

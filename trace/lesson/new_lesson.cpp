@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// In more windows, or over more columns of curves, each sign would be too much to look at.
+/// With more windows, or more columns of curves, there would be too many signs to follow.
 constexpr std::uint64_t most_with_signs = 1000;
 
 constexpr std::string_view english = R"(# TODO: the title
@@ -23,7 +23,7 @@ TODO: what there is to see, in two or three sentences.
 
 Warnock's algorithm begins with [the window over the whole area](#start). TODO: what it finds there.
 
-It looks at [COUNT windows](#windows). TODO: why so many, or so few.
+It looks at [COUNT windows](#windows). TODO: explain this number.
 
 ## Row by row
 
@@ -53,7 +53,7 @@ TODO: what there is to see, in two or three sentences.
 
 The floating horizon takes [COUNT curves](#curves), the nearest first. TODO: of what surface.
 
-Of the first one [all is visible](#first). TODO: what the others come to.
+The first one [is visible everywhere](#first). TODO: what becomes of the others.
 )";
 
 constexpr std::string_view russian_of_curves = R"(# TODO: название
@@ -97,7 +97,7 @@ std::string with_count(std::string_view story, std::uint64_t count) {
     return text.replace(text.find(place), place.size(), std::to_string(count));
 }
 
-/// The fields that tell what an event is about; the others tell what it comes to.
+/// The fields that identify an event; the others are its results.
 Json subject_of(const Json& event) {
     Json subject;
     for (const char* key : {"e", "at", "window", "polygon", "edge", "corner", "side", "row", "x", "y", "point", "curve",
@@ -114,7 +114,7 @@ bool is_about(const Json& event, const Json& subject) {
     return true;
 }
 
-/// The events that one looks for first: a window, a polygon and in it a row, or a curve and on it a column.
+/// The events that lead to a place: a window, a polygon and a row in it, or a curve and a column on it.
 std::vector<Json> way_to(const std::vector<Json>& events) {
     std::vector<Json> way;
     for (const Json& event : events) {
@@ -125,7 +125,7 @@ std::vector<Json> way_to(const std::vector<Json>& events) {
     return way;
 }
 
-/// Where the events that the way leads to begin: behind its last one.
+/// The position after the last event of the path.
 std::size_t end_of(const std::vector<Json>& way, const std::vector<Json>& events) {
     std::size_t place = 0;
     for (const Json& subject : way) {
@@ -135,7 +135,7 @@ std::size_t end_of(const std::vector<Json>& way, const std::vector<Json>& events
     return place;
 }
 
-/// A run that says what is not the default.
+/// A run, with only those fields that differ from the default.
 std::string run_json(const LessonRun& run) {
     Json json{{"name", run.name}, {"method", run.method}};
     if (run.detail != Detail::signs) json["detail"] = detail_names[std::size_t(run.detail)];
@@ -144,14 +144,14 @@ std::string run_json(const LessonRun& run) {
 
 std::string pin_json(const std::string& name, const Json& pin) { return Json(name).dump() + ": " + pin.dump(); }
 
-/// One a line, as an author would write them.
+/// One per line, as an author would write them.
 std::string lines_of(const std::vector<std::string>& items) {
     std::string lines;
     for (const auto& item : items) lines += (lines.empty() ? "\n  " : ",\n  ") + item;
     return lines + "\n ";
 }
 
-/// How many events of the run begin so.
+/// The number of events of the run that begin like this.
 std::uint64_t count_of(std::string_view beginning, const AnyScene& scene, const LessonRun& run) {
     std::uint64_t count = 0;
     EventLines lines;

@@ -6,7 +6,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Most lines are of another kind than what is looked for: their names tell without reading the rest.
+/// Most lines have another event than the one searched for; the name is enough to skip them without reading the rest.
 bool may_match(std::string_view line, const json& pattern) {
     const auto kind = pattern.find("e");
     return kind == pattern.end() || line.starts_with(R"({"e":)" + kind->dump() + ",");

@@ -1,4 +1,4 @@
-/// Pin: a name for a step of a run, which is found by what happens there and so outlives a change of the steps before.
+/// Pin: a name for a step of a run. It is found by what happens there, so it survives changes in earlier steps.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@ namespace vidno {
 struct Pin {
     std::string name, run;
     int line = 1;  // of lesson.json, where it stands
-    /// A path of partial events: the first event with these fields, then the first one after it with those, ...
+    /// A path of partial events: the first event with the first fields, then the first one after it with the next fields, ...
     std::vector<nlohmann::json> find;
-    nlohmann::json says = nlohmann::json::object();  // fields that the last one has besides
-    std::optional<std::uint64_t> times;              // of the whole run's events, how many are like the last one
+    nlohmann::json says = nlohmann::json::object();  // further fields that the last event must have
+    std::optional<std::uint64_t> times;              // how many events of the whole run are like the last one
 };
 
-/// Follows a run, and finds where a pin stands.
+/// Follows a run, and finds the step of a pin.
 class PinSearch {
 public:
     explicit PinSearch(const Pin& pin) : pin_(&pin) {}
 
-    /// A line of the trace, and the step that it is.
+    /// Hears a line of the trace, and its step.
     void hear(std::uint64_t step, std::string_view line);
 
     const Pin& pin() const { return *pin_; }
 
     /// After the last line: the step, none if there is none.
     std::optional<std::uint64_t> step() const { return step_; }
-    /// What is not as the pin says; empty if all is.
+    /// How the run differs from the pin; empty if it does not.
     std::string objection() const;
 
 private:

@@ -1,4 +1,4 @@
-/// Problem: something that is wrong in the files of a lesson, and where.
+/// Problem: an error in the files of a lesson, and its place.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace vidno {
 
 namespace {
 
-/// The line that a refusal names, or that of the value at its JSON pointer, as near as its keys lead.
+/// The line that a refusal names, or the line of the value at its JSON pointer, as close as its keys lead.
 int line_of(std::string_view text, const std::string& place) {
     int line = 0;
     if (std::sscanf(place.c_str(), "line %d", &line) == 1) return line;
@@ -28,14 +28,14 @@ int line_of(std::string_view text, const std::string& place) {
     return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
 }
 
-/// The methods that a lesson may speak of.
+/// The methods that a lesson may use.
 std::vector<std::string_view> lesson_methods() {
     std::vector<std::string_view> names(method_names.begin(), method_names.end());
     names.push_back(floating_horizon_method);
     return names;
 }
 
-/// One of some names, by its place among them.
+/// A name, by its index among the allowed ones.
 std::size_t choice(const JsonNode& node, std::string_view key, const auto& names, std::size_t otherwise = 0) {
     if (!node.has(key)) return otherwise;
     const std::string& name = node.at(key).text();
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    /// A refusal says where by a pointer; who writes a lesson looks for a line.
+    /// A refusal gives the place as a pointer, but an author needs a line.
     void guarded(auto&& read) {
         try {
             read();

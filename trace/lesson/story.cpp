@@ -28,7 +28,7 @@ std::string without_newline(std::string text) {
     return text;
 }
 
-/// The words of inline content, without what sets them apart.
+/// The words of inline content, without markup.
 std::string plain(const Json& content) {
     std::string words;
     for (const auto& each : content) {
@@ -45,7 +45,7 @@ std::string plain(const Json& content) {
     return words;
 }
 
-/// What a command writes: the word after -o.
+/// The output of a command: the word after -o.
 std::string output_of_command(const std::string& command) {
     std::istringstream words(command);
     std::string word, file;
@@ -204,7 +204,7 @@ private:
         return made;
     }
 
-    /// The content of a block. Languages put its parts in an order of their own: its marks are compared sorted.
+    /// The content of a block. The order of its parts may differ between languages, so its marks are compared sorted.
     Json inlines(cmark_node* parent) {
         const std::size_t first = story_.marks.size();
         Json content = content_of(parent);

@@ -1,6 +1,6 @@
-/// Story: the text of a lesson in one language, GitHub Markdown turned into blocks that a page can set.
+/// Story: the text of a lesson in one language, GitHub Markdown turned into blocks that a page can display.
 ///
-/// lessons/WRITING.md tells an author what a story may contain, trace/LESSON.md what blocks there are.
+/// lessons/WRITING.md tells authors what a story may contain; trace/LESSON.md describes the blocks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct Story {
         int line;
         std::string what;
     };
-    /// A link to a pin, and the words that it stands under.
+    /// A link to a pin, and its words.
     struct PinLink {
         int line;
         std::string pin, words;
@@ -34,15 +34,15 @@ struct Story {
     nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
     std::vector<Mark> marks;
     std::vector<PinLink> pins;
-    std::vector<Mark> lessons;  // that it leads to, by their folders' names
+    std::vector<Mark> lessons;  // that it links to, by their folders' names
     std::vector<Figure> figures;
     int questions = 0;
 };
 
-/// Reads a story. What a page could not show, and what a story must have and lacks, is added to the problems.
+/// Reads a story. Adds to the problems what a page could not show, and required parts that are missing.
 Story read_story(std::string_view markdown, const std::string& file, Problems& problems);
 
-/// Adds where the second story has another structure than the first.
+/// Adds the places where the second story's structure differs from the first.
 void compare_structure(const Story& first, const Story& second, Problems& problems);
 
 }  // namespace vidno

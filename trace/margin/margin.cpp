@@ -22,7 +22,7 @@ struct Linear {
 
     friend Linear operator+(const Linear& p, const Linear& q) { return {p.a + q.a, p.b + q.b, p.c + q.c}; }
     friend Linear operator-(const Linear& p, const Linear& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
-    /// One of the two is constant.
+    /// The product of two linear functions, one of which is constant.
     friend Linear operator*(const Linear& p, const Linear& q) {
         assert(p.is_constant() || q.is_constant());
         return p.is_constant() ? Linear{p.c * q.a, p.c * q.b, p.c * q.c} : q * p;
@@ -33,7 +33,7 @@ using Place = Point<Linear>;
 
 Sign sign_of(const Rational& value) { return Sign{int(CGAL::sign(value))}; }
 
-/// (a - pivot) x (b - pivot), of which at most one is the vertex that is moved. Multiplied out, so that no product has it twice.
+/// (a - pivot) x (b - pivot), where at most one point is the moved vertex. It is multiplied out, so that no product contains it twice.
 Linear cross(const Place& pivot, const Place& a, const Place& b) {
     const auto product = [](const Place& p, const Place& q) { return p.x * q.y - p.y * q.x; };
     return product(pivot, a) + product(a, b) + product(b, pivot);
@@ -87,7 +87,7 @@ private:
         return constant(at.x, at.y);
     }
     static Place constant(double x, double y) { return {{0, 0, Rational(x)}, {0, 0, Rational(y)}}; }
-    /// Corners of windows and centres of pixels are doubles under every kernel.
+    /// Window corners and pixel centres are doubles under every kernel.
     static Place constant(const ValuePoint& point) { return constant(number_of(point.x), number_of(point.y)); }
 
     int next(PolygonPlace polygon, int vertex) const { return (vertex + 1) % int(vertices(polygon).size()); }
@@ -101,7 +101,7 @@ private:
     void hear(const event::ClipList& list);
     void hear(const auto&) {}
 
-    /// The side of the window that has this number, and on which side of it a vertex of the outline lies.
+    /// The side of the window with this number, and on which side of it a vertex of the outline lies.
     Linear beyond(int side, const OutlineVertex& at) const;
     OutlineVertex cut(const OutlineVertex& from, const OutlineVertex& to, int side) const;
     Rational value_now(const Linear& value) const {
@@ -120,11 +120,11 @@ private:
     Procedure procedure_{};
     std::vector<Found> signs_;  // of the call that is running, then of the one that was found
 
-    // Of PolygonClip
+    // PolygonClip
     PolygonPlace clipped_;
     std::vector<std::array<Place, 2>> sides_;  // each from f0 to F_i
     std::vector<OutlineVertex> outline_, new_outline_;
-    std::size_t next_ = 0;  // of the outline: whose sign is told next
+    std::size_t next_ = 0;  // the vertex of the outline whose sign is reported next
     OutlineVertex from_, to_;
 };
 
@@ -196,9 +196,9 @@ Linear Collector::beyond(int side, const OutlineVertex& at) const {
     const auto& [cut_from, cut_to] = sides_[std::size_t(cut_at)];
     const bool is_parallel = (cut_from.x.c == cut_to.x.c) == (before.x.c == corner.x.c);
     if (is_parallel) return cross(corner, cut_from, before);
-    // On the edge from p to q the cut is at (cut_p q - cut_q p) / (cut_p - cut_q), where these are how far p and q lie beyond the side.
-    // How far it lies beyond the other side has the sign of cut_p next_q - cut_q next_p, once the divisor is positive: of p, which
-    // is outside. Multiplied out it is the cross product of p and q about the corner, times a number that does not move.
+    // On the edge from p to q the cut is at (cut_p q - cut_q p) / (cut_p - cut_q), where cut_p and cut_q are the distances of p and q
+    // beyond the side. The distance of the cut beyond the other side has the sign of cut_p next_q - cut_q next_p if the divisor is
+    // positive, which holds if p is outside. Multiplied out, it is the cross product of p and q about the corner, times a constant.
     const int edge = *at.edges.begin();
     const Place p = place(clipped_, edge), q = place(clipped_, next(clipped_, edge));
     const Linear turn = cross(corner_of(cut_at, side), p, q);
@@ -209,7 +209,7 @@ Linear Collector::beyond(int side, const OutlineVertex& at) const {
     const Rational next_p = far(before, corner, p), next_q = far(before, corner, q);
     const Rational exact = (cut_p * next_q - cut_q * next_p) / (cut_p - cut_q);
     const bool agrees = sign_of(exact) == sign_of(value_now(turn));
-    // Where both are zero either way is right.
+    // If both are zero, either sign is right.
     return agrees ? turn : Linear{} - turn;
 }
 
@@ -251,7 +251,7 @@ struct Side {
     bool bounds = false;
 };
 
-/// Those signs that depend on the vertex, by their lines.
+/// The signs that depend on the vertex, by their lines.
 std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     std::vector<Side> sides;
     for (const auto& [value, sign] : signs) {
@@ -271,12 +271,12 @@ std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     return sides;
 }
 
-/// The part of a line where the other half-planes are, from `low` to `high` along it; none: without an end.
+/// The part of a line inside the other half-planes, from `low` to `high` along it; an end that is none is at infinity.
 struct Part {
     std::optional<Rational> low, high;
     bool is_empty = false;
 
-    /// Narrows it to where value + t slope has the sign.
+    /// Restricts it to where value + t slope has the sign.
     void narrow(const Rational& value, const Rational& slope, Sign sign) {
         if (slope == 0) {
             is_empty = is_empty || sign_of(value) != sign;
@@ -291,7 +291,7 @@ struct Part {
     bool has(const Rational& t) const { return !is_empty && (!low || *low <= t) && (!high || t <= *high); }
 };
 
-/// A point of a line, and the way along it.
+/// A point of a line, and its direction.
 struct Ray {
     Rational x, y, dx, dy;
 
@@ -304,7 +304,7 @@ struct Ray {
     Rational slope(const Linear& of) const { return of.a * dx + of.b * dy; }
 };
 
-/// Which of them bound the region. Where a sign is zero, the region lies on its line.
+/// Marks the sides that bound the region. If a sign is zero, the region lies on its line.
 void find_bounds(std::vector<Side>& sides) {
     const auto is_zero = [](const Side& side) { return side.sign == Sign::zero; };
     const auto on = std::find_if(sides.begin(), sides.end(), is_zero);
@@ -348,7 +348,7 @@ Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace pol
     try {
         told_run(told);
     } catch (const Done&) {
-        // What follows the step is not of interest.
+        // Events after the step do not matter.
     }
     const std::string name = "step " + std::to_string(step);
     if (!collector.was_reached()) throw Refused(name + ": the run has fewer");

@@ -1,9 +1,9 @@
-/// Margin: where a vertex of the scene may be moved to so that no sign of a step changes.
+/// Margin: where a vertex of the scene may be moved without changing a sign of a step.
 ///
-/// The signs of a step are those of the call to which it belongs, of SurroundTest, PolygonClip, TrialFunction, RayCrossings or
-/// OctantAngles. Each is the sign of a number that is linear in the coordinates of any one vertex. A cross product is linear. Where an
-/// edge is cut at one side of the window, the cut lies beyond another side if the corner of the two sides lies on a certain side of the
-/// edge, which is a cross product again. So the region is an intersection of half-planes.
+/// The signs of a step are those of the call to which it belongs: SurroundTest, PolygonClip, TrialFunction, RayCrossings or
+/// OctantAngles. Each is the sign of a number that is linear in the coordinates of any one vertex. A cross product is linear. If an edge
+/// is cut at one side of the window, the cut lies beyond another side if the corner of the two sides lies on a certain side of the edge,
+/// which again is the sign of a cross product. So the region is an intersection of half-planes.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ struct StepSign {
     std::optional<ValuePoint> point{};
     std::optional<int> cut{}, side{};  // 1 to 4: top, left, bottom, right, as PolygonClip goes round
     Sign sign{};                       // in exact arithmetic
-    Sign told{};                       // as the run has it
+    Sign told{};                       // in the run
 };
 
-/// The signs stay as they are where a x + b y + c has this sign: beyond, those of `flips` change. The first of a and b that is not 0 is 1.
+/// The signs do not change where a x + b y + c has this sign; beyond, those of `flips` change. The first of a and b that is not 0 is 1.
 struct MarginSide {
     std::array<Fraction, 3> line;  // a, b, c
     Sign sign{};
-    bool bounds = false;  // the region is smaller than it would be without
+    bool bounds = false;  // without this side the region would be larger
     std::vector<StepSign> flips;
 };
 
@@ -46,7 +46,7 @@ struct Margin {
     std::vector<MarginSide> sides;  // none, if no sign depends on the vertex
 };
 
-/// Of a step of level `signs`; vertices are numbered from 0. Throws Refused where the step has no such sign.
+/// The margin of a vertex at a step of level `signs`; vertices are numbered from 0. Throws Refused if the step has no sign.
 Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace polygon, int vertex);
 
 std::string margin_text(const Margin& margin, const Scene& scene);

@@ -21,7 +21,7 @@ std::string_view name_of(PolygonPlace of, const Scene& scene) { return scene.pol
 
 // ------------------------------------------------------------------------------------- as text
 
-/// A fraction as one writes it: 3 for 3/1.
+/// A fraction as usually written: 3 for 3/1.
 std::string plain(const std::string& fraction) {
     return fraction.ends_with("/1") ? fraction.substr(0, fraction.size() - 2) : fraction;
 }
@@ -61,7 +61,7 @@ std::string half_plane(const MarginSide& side) {
     return text_of(side.line) + std::string(relations[place_of(side.sign)]);
 }
 
-/// Of a window, as PolygonClip goes round.
+/// The sides of a window, in the order of PolygonClip.
 std::string_view side_name(int side) {
     constexpr std::array<std::string_view, 4> names{"top", "left", "bottom", "right"};
     return names[std::size_t(side - 1)];
@@ -98,7 +98,7 @@ void append(Text& out, const Value& value) {
     value.fraction ? append_string(out, *value.fraction) : append_number(out, value.number);
 }
 
-/// Before an item or a member: a comma, if there is one before it.
+/// Appends a comma before an item or a member, except the first.
 void separate(Text& out) {
     const char last = out.view().back();
     if (last != '{' && last != '[') out += ',';

@@ -13,7 +13,7 @@ namespace vidno {
 
 namespace {
 
-/// Beside the program's own folder, in the build as where it is installed.
+/// A file beside the program's own folder, in the build as in an installation.
 std::filesystem::path place_of(const std::string& name) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
     return program.parent_path().parent_path() / "share" / "vidno" / name;
@@ -27,7 +27,7 @@ std::string built(const std::string& name) {
 
 std::string built_page(const std::string& name) { return read_file(built(name)); }
 
-/// JSON as a block of data in a page: nothing in it ends the block.
+/// JSON for a data block in a page, escaped so that nothing in it ends the block.
 std::string as_block(std::string json) {
     for (auto at = json.find('<'); at != json.npos; at = json.find('<', at)) json.replace(at, 1, "\\u003c");
     return json;
@@ -51,7 +51,7 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-/// Takes out every block that begins so, and says where the first one stood.
+/// Removes every block that begins like this, and returns the place of the first.
 std::size_t take_blocks(std::string& page, std::string_view opening) {
     const auto first = page.find(opening);
     for (auto at = first; at != page.npos; at = page.find(opening, at)) {
@@ -60,7 +60,7 @@ std::size_t take_blocks(std::string& page, std::string_view opening) {
     return first;
 }
 
-/// In the form that `viewer_web/plugins/lessons.ts` gives them.
+/// In the form of `viewer_web/plugins/lessons.ts`.
 std::string blocks_of(const PageContent& content) {
     const auto bad_text = nlohmann::ordered_json::error_handler_t::replace;  // a name may be any bytes
     std::string blocks =
@@ -71,7 +71,7 @@ std::string blocks_of(const PageContent& content) {
     return blocks;
 }
 
-/// Puts JSON into the block that the page of charts has for it.
+/// Puts JSON into the data block of the page of charts.
 void fill_block(std::string& page, std::string_view id, const std::string& json) {
     const std::string opening = "<script type=\"application/json\" id=\"" + std::string(id) + "\">";
     const auto block = page.find(opening);
@@ -80,7 +80,7 @@ void fill_block(std::string& page, std::string_view id, const std::string& json)
     page.replace(begin, page.find(end_of_block, begin) - begin, as_block(json));
 }
 
-/// The address of a built page as JSON, since what is written may lie anywhere; null if there is no such page.
+/// The address of a built page as JSON, since the output may lie anywhere; null if there is no such page.
 std::string address_of(const std::string& name) {
     const auto page = place_of(name);
     if (!std::filesystem::exists(page)) return "null";
@@ -101,7 +101,7 @@ std::string file_address(const std::filesystem::path& path) {
 }
 
 void PageContent::add(const PageFile& file) {
-    // The number keeps files of the same name in different folders apart.
+    // The number distinguishes files with the same name in different folders.
     const std::string name = std::to_string(files.size() + 1) + (file.is_scene ? ".json" : ".jsonl.gz");
     index.push_back({{"id", name},
                      {"title", {{"en", file.title}, {"ru", file.title}}},

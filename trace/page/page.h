@@ -17,7 +17,7 @@ struct PageFile {
     bool is_scene = false;
 };
 
-/// What a page has beside each other: an index, as that of a course, and the files that it names.
+/// The contents of a page: an index, like that of a course, and the files that it names.
 struct PageContent {
     nlohmann::ordered_json index = nlohmann::ordered_json::array();
     std::vector<std::pair<std::string, std::string>> files;  // a trace or a story is gzipped
@@ -26,18 +26,18 @@ struct PageContent {
     void add(const PageFile& file);
 };
 
-/// The page that shows traces, with this content instead of its lessons, or, if there is none, with the lessons. Throws
-/// Refused if no page was built, or if it cannot run a scene.
+/// The page that shows traces, with this content instead of its lessons, if there is any. Throws Refused if no page was built, or if it
+/// cannot run a scene.
 std::string trace_page(const PageContent& content);
 
 /// The address under which a browser opens a file of this machine. The path is absolute.
 std::string file_address(const std::filesystem::path& path);
 
-/// The page that shows a chart, with the chart in it and, if it was built, the address of the page that replays its runs.
-/// Throws Refused if no page was built.
+/// The page that shows a chart, with the chart and, if it was built, the address of the page that replays its runs. Throws Refused if no
+/// page was built.
 std::string chart_page(const std::string& json);
 
-/// Where the script for Node is that asks about a trace. Throws Refused if it was not built.
+/// The path of the script for Node that asks about a trace. Throws Refused if it was not built.
 std::string questions_script();
 
 }  // namespace vidno

@@ -15,7 +15,7 @@ namespace vidno {
 
 namespace {
 
-/// Through files there is no waiting for each other.
+/// Files, unlike pipes, cannot make the two programs wait for each other.
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 File temporary_file() {

@@ -1,4 +1,4 @@
-/// Another program, run to its end.
+/// Runs another program to its end.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace vidno {
 
-/// Runs a program that is found on the path, gives it its input, and takes what it writes. Its complaints go to standard
-/// error. Throws Refused if there is no such program or it does not end with 0: then with the last of its complaints.
+/// Runs a program from the path with an input, and returns its output. Its error messages go to standard error. Throws Refused if there is
+/// no such program, or with the last error message if its exit status is not 0.
 std::string output_of(const std::vector<std::string>& command, std::string_view input);
 
 }  // namespace vidno

@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// The regions of a scene's run as JSON; FORMAT.md says what it means.
+/// The regions of a scene's run as JSON; FORMAT.md describes it.
 std::string regions_json(const std::vector<ShownRegion>& regions, const RunRequest& request);
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// What the units of runs of curves instantiate.
+/// The templates that the units for runs of curves instantiate.
 #pragma once
 
 #include "run/floating_horizon_run.h"

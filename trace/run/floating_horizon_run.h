@@ -1,4 +1,4 @@
-/// Running the floating horizon as chosen at run time, with a trace or without.
+/// Runs the floating horizon as chosen at run time, with or without a trace.
 #pragma once
 
 #include "format/floating_horizon_trace.h"
@@ -15,17 +15,17 @@ struct FloatingHorizonRequest {
     std::function<void()> progress = [] {};  // without a trace, called at each curve; checked, at each step
 };
 
-/// Throws what the sink throws: a writer, EventLimitReached.
+/// Throws whatever the sink throws; a writer throws EventLimitReached.
 DrawnLines run(const FloatingHorizonRequest& request);
 
-/// Of each curve, over which of its columns it is drawn.
+/// For each curve, the columns over which it is drawn.
 using ColumnsDrawn = std::vector<std::vector<bool>>;
 ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);
 
-/// Of the same curves, over how many columns one is drawn and the other not.
+/// The number of columns over which corresponding curves are drawn in only one of two drawings.
 std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other);
 
-/// A run told to the request's sink; the followers hear its decisions, and what each decision in Visibility comes to.
+/// Reports a run to the request's sink; the followers hear its decisions, and the result of each decision in Visibility.
 DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

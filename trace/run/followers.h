@@ -1,4 +1,4 @@
-/// Followers: who follows a run beside the sink of its events. They hear of a decision before the event that tells it.
+/// Followers: listeners to a run besides the sink of its events. They hear of a decision before the event that reports it.
 #pragma once
 
 #include <functional>
@@ -8,20 +8,20 @@
 
 namespace vidno {
 
-/// A point that a run constructed: an intersection, a vertex that clipping made.
+/// A point that a run constructed: an intersection, or a vertex made by clipping.
 struct Surveyed {
     double off;                    // from the exact one, in pixels
-    const Calculator* calculator;  // of its x and y, while the surveyor hears of it
+    const Calculator* calculator;  // for its x and y, valid while the surveyor hears of it
 };
 using Surveyor = std::function<void(const Surveyed&)>;
 
-/// Hears under `filtered` what decided each comparison.
+/// Under `filtered`, hears what decided each comparison.
 using StageCount = std::function<void(FilterStage)>;
 
-/// Hears each sign of Weiler and Atherton's algorithm under `filtered` and `exact`.
+/// Under `filtered` and `exact`, hears each sign of Weiler and Atherton's algorithm.
 using HearSign = std::function<void(Sign)>;
 
-/// Tells the count, if there is one.
+/// Reports to the count, if there is one.
 struct StageTally {
     const StageCount* count = nullptr;
     void operator()(FilterStage stage) const {
@@ -30,7 +30,7 @@ struct StageTally {
 };
 
 struct Followers {
-    const Judge* judge = nullptr;  // with one, the run is judged: float, double, bits and depth
+    const Judge* judge = nullptr;  // if there is one, the run is judged: float, double, bits and depth
     const Surveyor* survey = nullptr;
     const StageCount* count = nullptr;
     const HearSign* hear_sign = nullptr;

@@ -1,8 +1,8 @@
 /// Questions: the decisions of a run as a judge sees them.
 ///
-/// A question has the answer, worked out in numbers of any arithmetic; the names of its operands; and the pairs of numbers that it
-/// comes down to: which of the two is the greater. It tells each pair as `tell(left, right)`, or with the column or row of which
-/// the right one is the centre.
+/// A question has the answer, computed in numbers of any arithmetic; the names of its operands; and the pairs of numbers whose
+/// comparison determines the answer. It reports each pair as `tell(left, right)`, or with the column or row whose centre is the right
+/// number.
 #pragma once
 
 #include <CGAL/Simple_cartesian.h>
@@ -17,14 +17,14 @@
 
 namespace vidno::question {
 
-/// Which pair decides, if a question has several.
+/// The pair that decides, if a question has several.
 enum class Deciding {
-    nearest,   // the one whose numbers are nearest to each other: any may turn the answer
+    nearest,   // the one whose numbers are closest to each other: any pair may change the answer
     farthest,  // the one whose numbers are farthest apart: all must be equal
     first      // the first of numbers that are not equal
 };
 
-/// Tells the numbers of an operand, `tell(name, number)`.
+/// Reports the numbers of an operand, `tell(name, number)`.
 void tell_numbers(auto&& tell, const std::string& name, const RunTimeNumber& v) { tell(name, v); }
 void tell_numbers(auto&& tell, const std::string& name, const Point<RunTimeNumber>& p) {
     tell(name + ".x", p.x);
@@ -55,14 +55,14 @@ void tell_numbers(auto&& tell, const std::string& name, const std::vector<Vertex
     }
 }
 
-/// What is decided, what it means if the numbers that decide are equal, and which pair of them does.
+/// The kind of the decision, the meaning of equal numbers, and the pair that decides.
 template <Decision decision, Coincidence coincidence, Deciding pair = Deciding::nearest>
 struct Question {
     static constexpr Decision of = decision;
     static constexpr Coincidence if_zero = coincidence;
     static constexpr Deciding deciding = pair;
 
-    /// Whole numbers that a question has beside its operands, `tell(name, number)`.
+    /// Reports the whole numbers that a question has besides its operands, `tell(name, number)`.
     static void constants(auto&&) {}
 };
 
@@ -94,7 +94,7 @@ struct Nearer : Question<Decision::nearer, Coincidence::equal_depths> {
     }
 };
 
-/// How does a box lie to a window?
+/// How does a box lie in relation to a window?
 struct OfWindow {
     static constexpr Coincidence if_zero = Coincidence::box_on_window;
     static constexpr Deciding deciding = Deciding::nearest;
@@ -134,7 +134,7 @@ struct Inside : OfWindow {
     }
 };
 
-/// Which of the pixels low <= i < end has its centre next to a number?
+/// Which pixel of low <= i < end has its centre next to a number?
 struct OfCentres {
     static constexpr Coincidence if_zero = Coincidence::on_pixel_centre;
     static constexpr Deciding deciding = Deciding::nearest;
@@ -147,7 +147,7 @@ struct OfCentres {
     }
 
 protected:
-    /// With the centre that is nearest to it, or would be if there were others.
+    /// Compares the number with the nearest centre of the range.
     void compare_with_centre(const auto& kernel, auto&& tell, const auto& value) const {
         const double near = double(value);
         const double pixel = std::isnan(near) ? low : std::clamp(std::floor(near), double(low), double(end - 1));
@@ -211,7 +211,7 @@ struct ColumnsOf : OfCentres {
     }
 };
 
-/// Of the printed text: are two numbers the same once they are rounded?
+/// In the printed text: are two numbers equal once they are rounded?
 struct SameRounded : Question<Decision::same_rounded, Coincidence::on_pixel_centre> {
     static constexpr std::array names{"v", "w"};
 
@@ -221,7 +221,7 @@ struct SameRounded : Question<Decision::same_rounded, Coincidence::on_pixel_cent
     }
 };
 
-/// Of the printed text: which pixel holds a number?
+/// In the printed text: which pixel holds a number?
 struct PixelOf : Question<Decision::pixel, Coincidence::equal_numbers> {
     static constexpr std::array names{"v"};
 
@@ -251,7 +251,7 @@ struct ParallelPlanes : Question<Decision::parallel, Coincidence::parallel_lines
     }
 
 private:
-    /// A plane of rounded numbers may be upright, which to exact ones is a division by zero.
+    /// A plane in rounded numbers may be vertical, which is a division by zero in exact ones.
     static bool divides_by_zero(const auto& kernel, const auto& p, const auto& q) {
         return kernel.arithmetic.is_exact() && (p.c.sign() == Sign::zero || q.c.sign() == Sign::zero);
     }

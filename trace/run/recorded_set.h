@@ -1,5 +1,5 @@
-/// The procedure sets of recorded and judged runs: the method and the edition are chosen at run time, so that one set is compiled
-/// for all of them. Each function takes the text of the set that has it.
+/// The procedure sets of recorded and judged runs. The method and the edition are chosen at run time, so that one set is compiled for all
+/// of them. Each function calls the text of the set that has it.
 #pragma once
 
 #include <type_traits>
@@ -70,8 +70,8 @@ struct AnyMethod : family::Full {
     }
 };
 
-/// The same with the deviations of an edition, for kernels that run the printed text. Where several deviations concern one function the
-/// first one counts.
+/// The same with the deviations of an edition, for kernels that run the printed text. If several deviations concern one function, the
+/// first one applies.
 struct AnyEdition : AnyMethod {
     using ZBufferDefects = printed::ZBufferDefects;
 
@@ -135,7 +135,7 @@ struct AnyEdition : AnyMethod {
                                          : Corrected::on_screen(kernel, area, vertex);
     }
 
-    /// A plane of three collinear vertices has no depth. As printed it does not take part, for its c is 0.
+    /// A plane of three collinear vertices has no depth. As printed, the polygon does not take part, since its c is 0.
     static void expect_depth(const auto& kernel, const auto& plane) {
         try {
             kernel.divide(plane.d, plane.c);
@@ -161,7 +161,7 @@ struct AnyEdition : AnyMethod {
 
     // The Z-buffer
 
-    /// With all of its defects it is the printed text.
+    /// With all of its defects the Z-buffer is the printed text.
     void z_buffer(auto& run) const {
         using enum Deviation;
         constexpr Edition all = Edition(x_z1) + x_z2 + x_z3 + x_z4 + x_z5 + x_z6 + x_z7;
@@ -183,7 +183,7 @@ struct AnyEdition : AnyMethod {
         return has(Deviation::depths_not_cleared) ? mistakes::DepthsNotCleared::first_depth(kernel)
                                                   : Corrected::first_depth(kernel);
     }
-    /// The printed Z-buffer has a y, a number; the corrected one has a row.
+    /// In the printed Z-buffer y is a number; in the corrected one it is a row.
     template <class Row>
     void show_line(auto& run, const Row& row, const auto& from, const auto& to, const auto& polygon) const {
         if constexpr (!std::is_integral_v<Row>) {

@@ -1,4 +1,4 @@
-/// Recorder: the visitor that turns what a run tells into events of the chosen level and hands them to a sink.
+/// Recorder: the visitor that turns the calls of a run into events of the chosen level and passes them to a sink.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace vidno {
 
-/// What a recorder points at: it is copied into the run, this is not.
+/// The state that a recorder points at. The recorder is copied into the run; this is not.
 struct Recording {
     Detail detail;
     EventSink& sink;
@@ -411,7 +411,7 @@ private:
         depths->push_back(value(z));
     }
 
-    /// What joins a list, or leaves it, is its last.
+    /// The polygon that joins or leaves a list is its last.
     template <class E>
     void change_list(Line at, Relation relation, const auto& list) {
         const OtherList told = relation == Relation::surrounding ? OtherList::surrounding : OtherList::outside;
@@ -436,7 +436,7 @@ private:
             return z ? value(*z) : Value::minus_infinite();
         }
     }
-    /// The depth of a plane is a depth of the kernel or, of a region's polygon, a number.
+    /// The depth of a plane is a depth of the kernel or, for the polygon of a region, a number.
     static Value number_or_depth(const auto& z) {
         if constexpr (std::same_as<std::remove_cvref_t<decltype(z)>, typename K::Depth>) {
             return depth_value(z);
@@ -448,7 +448,7 @@ private:
         return cell ? std::optional(value(*cell)) : std::nullopt;
     }
     static SegmentColumns ends_of(const Segment& segment) { return {segment.from.x, segment.to.x}; }
-    /// Of a list that is empty the least is plus infinity.
+    /// The minimum of an empty list is plus infinity.
     static Value next_value(int row) { return row == no_row ? Value::infinite() : Value(row); }
     static Value next_value(const std::optional<typename K::Number>& y) { return y ? value(*y) : Value::infinite(); }
 

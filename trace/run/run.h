@@ -1,4 +1,4 @@
-/// Running a method as chosen at run time, with a trace or without.
+/// Runs a method as chosen at run time, with or without a trace.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace vidno {
 
-/// A visible region of Weiler and Atherton's algorithm, in the numbers of its kernel: loops, holes the other way round; its
-/// area in square pixels.
+/// A visible region of Weiler and Atherton's algorithm, in the numbers of its kernel: its loops, with the opposite orientation for holes,
+/// and its area in square pixels.
 struct ShownRegion {
     PolygonPlace polygon;
     RegionLoops loops;
@@ -25,18 +25,18 @@ struct RunRequest {
     const Scene& scene;
     Detail detail = Detail::windows;
     EventSink* sink = nullptr;  // none: no trace
-    /// Of Warnock's algorithm, the side; a trace does not say it.
+    /// The side of the smallest window of Warnock's algorithm. A trace does not contain it.
     double smallest_window = 1;
-    /// Called at each window, polygon or list of a run without a trace, and at each step of one that is checked.
+    /// Called at each window, polygon or list of a run without a trace, and at each step of a checked run.
     std::function<void()> progress = [] {};
-    /// Where those of Weiler and Atherton's algorithm go, if they are wanted.
+    /// Receives the regions of Weiler and Atherton's algorithm, if not null.
     std::vector<ShownRegion>* regions = nullptr;
 };
 
-/// Throws what the sink throws: a writer, EventLimitReached.
+/// Throws whatever the sink throws; a writer throws EventLimitReached.
 Picture run(const RunRequest& request);
 
-/// The same for a request that has a sink; the followers hear of its decisions.
+/// The same for a request with a sink; the followers hear of its decisions.
 Picture told_run(const RunRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

@@ -1,10 +1,10 @@
-/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for runs that are recorded or judged. What is compiled is one
-/// kernel, whatever it computes with.
+/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for recorded and judged runs. It is compiled once for all of these
+/// arithmetics.
 ///
-/// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on these same
-/// numbers, and exactly on the truth beside them. The first answer is the run's; the judge hears which of the others differ from
-/// it, and may ask what the decision was computed from. Orientation and clip sides are judged by CGAL's predicate, all else by exact
-/// rationals. An exact run takes each decision once.
+/// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on the same numbers, and
+/// exactly on the truth beside them. The first answer is the run's. The judge hears which of the others differ from it, and may query
+/// the numbers behind the decision. Orientation and clip sides are judged by CGAL's predicate, everything else by exact rationals. An
+/// exact run takes each decision once.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ struct RunTimeEntry {
     RunTimeNumber number(double given) const { return {arithmetic, given, judge}; }
 };
 
-/// The formulas in numbers of an arithmetic; their decisions are not judged.
+/// The formulas in the numbers of an arithmetic; their decisions are not judged.
 struct RunTimeNumbers : NumberKernel<RunTimeNumber, RunTimeEntry> {
     using NumberKernel::NumberKernel;
 
@@ -47,7 +47,7 @@ public:
     static constexpr std::string_view name = "run-time";
 
     struct Depth {
-        std::optional<RunTimeNumber> number;  // none: "no polygon yet", of exact numbers and of a judged run
+        std::optional<RunTimeNumber> number;  // none: "no polygon yet", for exact numbers and in a judged run
 
         Depth() = default;
         Depth(const RunTimeNumber& z) : number(z) {}
@@ -67,7 +67,7 @@ private:
 
     static Point<Number> flat(const auto& p) { return {p.x, p.y}; }
 
-    // What a decision is taken on, number by number.
+    // Visits the numbers on which a decision is taken.
     static constexpr auto value_exactly = [](const Number& v) { return Number(Rational(v.value())); };
     static constexpr auto truth_of = [](const Number& v) { return v.exact_truth(); };
     static constexpr auto is_finite = [](const Number& v) { return std::isfinite(v.value()); };
@@ -92,12 +92,12 @@ private:
     }
     static RunTimeNumbers::Depth mapped(const Depth& z, auto part) {
         if (z.number) return part(*z.number);
-        // To the machine "no polygon yet" is a number, which is not nearer than itself.
+        // In the machine's arithmetic "no polygon yet" is a number, which is not nearer than itself.
         constexpr bool of_machine = std::same_as<decltype(part), std::remove_const_t<decltype(value_of)>>;
         return of_machine ? RunTimeNumbers::Depth(-std::numeric_limits<double>::infinity()) : std::nullopt;
     }
 
-    // Whether something holds for all numbers of an operand.
+    // Whether a predicate holds for all numbers of an operand.
     static bool all(const Number& v, auto holds) { return holds(v); }
     static bool all(const Point<Number>& p, auto holds) { return holds(p.x) && holds(p.y); }
     static bool all(const Box<Number>& b, auto holds) {
@@ -133,7 +133,7 @@ private:
         std::optional<int> pixel;
     };
 
-    /// What a question compares, of operands in the numbers of a kernel.
+    /// The pairs that a question compares, for operands in the numbers of a kernel.
     template <class Question>
     static std::vector<Pair> compared(const RunTimeNumbers& kernel, const Question& question, const auto&... operands) {
         std::vector<Pair> pairs;
@@ -144,7 +144,7 @@ private:
         return pairs;
     }
 
-    /// By the pair that decides; of a wrong decision, by the first whose order the run has wrong.
+    /// Uses the pair that decides; for a wrong decision, the first pair that the run has in the wrong order.
     Gap deciding(question::Deciding by, Coincidence if_zero, const std::vector<Pair>& exact,
                  const std::vector<Pair>& used, bool is_wrong) const {
         std::vector<Gap> found;
@@ -171,7 +171,7 @@ private:
         return first == found.end() ? found.back() : *first;
     }
 
-    /// What a decision was computed from.
+    /// The numbers from which a decision was computed.
     template <class Question, class... Asked>
     class Asking final : public Calculator {
     public:
@@ -218,7 +218,7 @@ private:
 protected:
     bool is_judged() const { return judge != nullptr; }
 
-    /// Takes a decision: of a judged run, three times.
+    /// Takes a decision; in a judged run, three times.
     template <class Question, class... Asked>
     auto decide(const Question& question, const Asked&... operands) const {
         const RunTimeNumbers& numbers = *this;
@@ -282,7 +282,7 @@ public:
         return taken;
     }
 
-    /// The decision is judged where the value is made, once.
+    /// The decision is judged once, where the value is computed.
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
         if (is_judged()) {
             decide(question::Orientation{}, flat(pivot), flat(a), flat(b));
@@ -351,7 +351,7 @@ public:
     bool same_rounded(const Number& v, const Number& w) const { return decide(question::SameRounded{}, v, w); }
     int pixel_of(const Number& value) const { return decide(question::PixelOf{}, value); }
 
-    /// As a trace tells it.
+    /// The value in a trace's form.
     static Value told(const Number& number) {
         return number.is_exact() ? Value(Exact::fraction(number.rational())) : Value(number.value());
     }
@@ -363,12 +363,12 @@ private:
     const HearSign* hear_sign_;
 };
 
-/// Another name for the kernel, under which OnRegions works its formulas out in the kernel's numbers.
+/// Another name for the kernel, for which OnRegions computes its formulas in the kernel's numbers.
 struct RunTimeRegionNumbers : RunTimeKernel {
     explicit RunTimeRegionNumbers(const RunTimeKernel& kernel) : RunTimeKernel(kernel) {}
 };
 
-/// For Weiler and Atherton's algorithm: its decisions are judged as well.
+/// For Weiler and Atherton's algorithm, whose decisions are judged as well.
 template <>
 struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     using Base = OnRegions<RunTimeRegionNumbers>;

@@ -1,4 +1,4 @@
-/// RunTimeNumber: a number whose arithmetic is chosen at run time, so that procedures are compiled once for all of them.
+/// RunTimeNumber: a number whose arithmetic is chosen at run time, so that procedures are compiled once for all arithmetics.
 ///
 /// In a judged run it also carries the truth: the same expression in exact rationals, along the path that was taken.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace vidno {
 
-/// How results are rounded. A constant has no arithmetic of its own: it takes that of the number it is computed with.
+/// How results are rounded. A constant has no arithmetic of its own: it takes that of the other operand.
 struct Arithmetic {
     enum class Kind : unsigned char { constant, binary32, binary64, bits, exact };
 
@@ -25,7 +25,7 @@ struct Arithmetic {
 
     bool is_exact() const { return kind == Kind::exact; }
 
-    /// How many significant bits its numbers have; of exact ones those of a double.
+    /// The number of significant bits of its numbers; for exact ones, that of a double.
     int digits() const {
         if (kind == Kind::bits) return bits;
         return kind == Kind::binary32 ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
@@ -38,7 +38,7 @@ struct Arithmetic {
             default: return given;
         }
     }
-    /// What one operation gives on two of its numbers.
+    /// The result of an operation on two of its numbers.
     double result(double a, double b, auto operation) const {
         if (kind == Kind::binary32) return double(float(operation(float(a), float(b))));
         return rounded(operation(a, b));
@@ -50,7 +50,7 @@ inline Fraction fraction_of(double value) {
     return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
 }
 
-/// Of the numbers left and right, in ulps of the greater one.
+/// The gap between the numbers left and right, in ulps of the greater one.
 inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& right, int digits) {
     const Rational exact = left - right;
     Gap gap{if_zero, {}, {Exact::fraction(exact)}, Sign{int(CGAL::sign(exact))}};
@@ -66,7 +66,7 @@ public:
     RunTimeNumber(std::integral auto constant) : value_(double(constant)) {}
     RunTimeNumber(double constant) : value_(constant) {}
 
-    /// A number of the scene or the screen. Its truth is the number as given.
+    /// A number of the scene or the screen. Its truth is the given number.
     RunTimeNumber(const Arithmetic& arithmetic, double given, const Judge* judge = nullptr)
         : value_(arithmetic.rounded(given)), arithmetic_(arithmetic), judge_(judge) {
         if (judge || arithmetic.is_exact()) rational_ = kept(Rational(given));
@@ -75,10 +75,10 @@ public:
     /// An exact number.
     explicit RunTimeNumber(Rational exact) : arithmetic_{Arithmetic::Kind::exact}, rational_(kept(std::move(exact))) {}
 
-    /// The same number, or its truth, with another value in use.
+    /// The same truth with another value in use.
     RunTimeNumber with_value(double value) const { return {arithmetic_, value, rational_, judge_}; }
 
-    /// A number of which nothing is known but what was computed.
+    /// A number whose truth is unknown: only the computed value.
     static RunTimeNumber without_truth(const Arithmetic& arithmetic, double computed, const Judge* judge) {
         return {arithmetic, computed, nullptr, judge};
     }
@@ -112,10 +112,10 @@ public:
         return is_exact() ? Sign{int(CGAL::sign(*rational_))} : Sign{int(value_ > 0) - int(value_ < 0)};
     }
 
-    /// The number that is computed with, as if nobody judged it.
+    /// The number in use, without its truth.
     RunTimeNumber not_judged() const { return {arithmetic_, value_, nullptr, nullptr}; }
 
-    /// As a decision was taken on it, under a name.
+    /// The number as an operand of a decision, with a name.
     Operand operand(std::string name) const {
         const auto exact = truth();
         const Fraction right{exact ? Exact::fraction(*exact) : ""};
@@ -123,14 +123,14 @@ public:
         return {std::move(name), fraction_of(value_), right};
     }
 
-    /// The same number in an arithmetic of which it is a constant.
+    /// A constant as a number of an arithmetic.
     RunTimeNumber in(const Arithmetic& arithmetic, const Judge* judge) const {
         return is_constant() ? RunTimeNumber(arithmetic, value_, judge) : *this;
     }
 
     RunTimeNumber& operator+=(const RunTimeNumber& other) { return *this = *this + other; }
 
-    /// Not 0 - a: a machine's number may become -0.
+    /// Not 0 - a, since a machine's number may become -0.
     friend RunTimeNumber operator-(RunTimeNumber a) {
         a.value_ = -a.value_;
         if (a.rational_) a.rational_ = kept(-*a.rational_);
@@ -183,7 +183,7 @@ private:
         return a.judge_ ? a.judge_ : b.judge_;
     }
 
-    /// `use(p, q)` of the two as rationals; what a Result is by default if one of them is undefined.
+    /// `use(p, q)` of the two as rationals; a default Result if one of them is undefined.
     template <class Result>
     static Result of_rationals(const RunTimeNumber& a, const RunTimeNumber& b, auto&& use) {
         if (a.rational_ && b.rational_) return use(*a.rational_, *b.rational_);
@@ -257,10 +257,10 @@ private:
     double value_ = 0;
     Arithmetic arithmetic_;
     Kept rational_;                 // the number itself if it is exact; else its truth
-    const Judge* judge_ = nullptr;  // of the run that the number belongs to; none for a constant
+    const Judge* judge_ = nullptr;  // that of the number's run; none for a constant
 };
 
-/// What a constructed point is, and should be.
+/// A constructed point as computed, and as it should be.
 class PointConstructed final : public Calculator {
 public:
     PointConstructed(const RunTimeNumber& x, const RunTimeNumber& y) : x_(x), y_(y) {}

@@ -1,4 +1,4 @@
-/// For builds with sanitizers, which would compile the same procedures once more for each kernel.
+/// For builds with sanitizers, which would otherwise compile the same procedures once more for each kernel.
 #include "run/untraced.h"
 
 namespace vidno {

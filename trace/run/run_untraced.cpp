@@ -6,7 +6,7 @@ namespace vidno {
 
 namespace {
 
-/// How a kernel runs without a trace; none where it does not run these methods.
+/// The functions by which a kernel runs without a trace; none if it does not run these methods.
 struct Runs {
     Picture (*course)(const RunRequest&);
     Picture (*family)(const RunRequest&) = nullptr;
@@ -30,7 +30,7 @@ constexpr std::array<Runs, sizeof...(kinds)> runs_of(std::index_sequence<kinds..
     return {runs_under<KernelKind(kinds)>()...};
 }
 
-/// By the places of KernelKind.
+/// Indexed by KernelKind.
 constexpr auto runs = runs_of(std::make_index_sequence<kernel_choices.size()>());
 
 }  // namespace

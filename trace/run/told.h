@@ -1,7 +1,7 @@
-/// Runs told to the request's sink: one translation unit a kernel, for all methods and editions.
+/// Runs that are reported to the request's sink: one translation unit per kernel, for all methods and editions.
 ///
 /// `double`, `filtered` and `grid` are compiled for their own numbers, since a page runs them while a corner is dragged. All other
-/// kernels, and every run that is judged, share the run-time kernel (run_time_kernel.h).
+/// kernels, and every judged run, share the run-time kernel (run_time_kernel.h).
 #pragma once
 
 #include "run/run.h"

@@ -10,12 +10,12 @@ namespace vidno {
 
 namespace {
 
-// What a height should be, along the path that was taken; none if it is undefined, or the run is not judged.
+// The true height along the path that was taken; none if it is undefined, or the run is not judged.
 std::optional<Rational> truth_of(const RunTimeNumber& height) { return height.truth(); }
 std::optional<Rational> truth_of(double) { return std::nullopt; }
 std::optional<Rational> truth_of(const auto& height) { return height.exactly(); }
 
-/// A height in use, and what it should be.
+/// A height in use, and the true one.
 struct JudgedHeight {
     double used;
     std::optional<Rational> exact;
@@ -24,11 +24,11 @@ struct JudgedHeight {
         return {std::move(name), fraction_of(used), {exact ? Exact::fraction(*exact) : ""}};
     }
 };
-/// That of an exact number is a fraction.
+/// The value of an exact number is a fraction.
 bool is_exact(const RunTimeNumber& height) { return height.is_exact(); }
 bool is_exact(const auto&) { return false; }
 
-/// How Visibility decides: by a height of the curve and those of the horizons, where these are.
+/// The decision of Visibility, from the height of the curve and those of the horizons, where these exist.
 class HeightsCompared final : public Calculator {
 public:
     HeightsCompared() = default;
@@ -39,7 +39,7 @@ public:
           is_exact_(is_exact(y)),
           digits_(digits) {}
 
-    /// What it should say.
+    /// The right flag.
     Truth true_flag(const auto& set) const {
         using enum VisibilityFlag;
         const auto undefined = [](const auto& of) { return of && !of->exact; };
@@ -86,15 +86,15 @@ private:
     int digits_ = 0;
 };
 
-/// What followers hear of a run beside its events.
+/// The receivers of verdicts and constructed points.
 struct Judging {
     const Judge* judge;
     const Surveyor* survey;
     int digits = 0;              // of the run's numbers
-    bool in_visibility = false;  // there not each comparison is judged, but what comes of them
+    bool in_visibility = false;  // there the flag is judged, not each comparison
 };
 
-/// Records; of a judged run, judges what Visibility says.
+/// Records; in a judged run, judges the flags of Visibility.
 template <class Set, Kernel K>
 class FloatingHorizonRecorder : public Recorder<K> {
     using Base = Recorder<K>;
@@ -131,7 +131,7 @@ private:
         const PointConstructed constructed(p.x, p.y);
         (*judging_->survey)({std::hypot(off(p.x), off(p.y)), &constructed});
     }
-    void survey(const auto&) {}  // right, or rounded where nobody sees it
+    void survey(const auto&) {}  // right, or rounded invisibly
 
     Judging* judging_;
     Set set_;

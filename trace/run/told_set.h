@@ -1,4 +1,4 @@
-/// What the units of told runs instantiate.
+/// The templates that the units for reported runs instantiate.
 #pragma once
 
 #include "run/recorded_set.h"

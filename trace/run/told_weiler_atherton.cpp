@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// A kernel that is always right, and reports each sign, so that another run can be compared with it.
+/// An always right kernel that reports each sign, so that another run can be compared with it.
 struct TellingSigns : FilteredBy<StageTally> {
     const HearSign* hear_sign;
 

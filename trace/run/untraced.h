@@ -1,4 +1,4 @@
-/// Runs without a trace: one or two translation units a kernel, compiled for its own numbers.
+/// Runs without a trace: one or two translation units per kernel, compiled for its own numbers.
 #pragma once
 
 #include "run/floating_horizon_run.h"
@@ -6,20 +6,20 @@
 
 namespace vidno {
 
-/// Usual mistakes and single defects are compiled for told runs alone: without a trace they are told to nobody.
+/// Usual mistakes and single defects are compiled only for reported runs. Without a trace they report to a sink that ignores the events.
 constexpr bool is_compiled_untraced(Edition edition) {
     return edition == Edition::corrected || edition == Edition::printed;
 }
 
-/// The request has no sink, and its edition is compiled untraced.
+/// Requires a request without a sink, whose edition is compiled untraced.
 Picture untraced_run(const RunRequest&);
 DrawnLines untraced_run(const FloatingHorizonRequest&);
 
-/// A told run whose events nobody hears.
+/// A reported run whose events are ignored.
 Picture told_to_nobody(RunRequest);
 DrawnLines told_to_nobody(FloatingHorizonRequest);
 
-/// A kernel's methods, of those that it runs: see its KernelChoice. They are defined in `untraced_<kernel>.cpp` and what begins like it.
+/// The methods that a kernel runs (see its KernelChoice). They are defined in `untraced_<kernel>*.cpp`.
 template <KernelKind kind>
 struct Untraced {
     static Picture course(const RunRequest&);

@@ -1,4 +1,4 @@
-/// Runs without a trace under `filtered`, compiled in two units: each would take too long with the other.
+/// Runs without a trace under `filtered`, compiled in two units, since one would take too long.
 #pragma once
 
 #include "run/untraced_set.h"

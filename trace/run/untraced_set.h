@@ -1,4 +1,4 @@
-/// What the units of runs without a trace instantiate: Untraced, once `KernelOf` makes their kernel.
+/// The template that the units for runs without a trace instantiate: Untraced, once `KernelOf` makes their kernel.
 #pragma once
 
 #include "run/floating_horizon_lines.h"
@@ -15,7 +15,7 @@ namespace vidno {
 template <KernelKind kind>
 struct KernelOf;
 
-/// The visitor of a run without a trace: its progress is one window, polygon, list or curve after the other.
+/// The visitor of a run without a trace: it reports progress at each window, polygon, list or curve.
 struct Pacer : NoTrace {
     const std::function<void()>& progress;
 

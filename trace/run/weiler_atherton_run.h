@@ -1,4 +1,4 @@
-/// Weiler and Atherton's algorithm as a request asks for it, told to a visitor.
+/// Runs Weiler and Atherton's algorithm for a request, and reports it to a visitor.
 #pragma once
 
 #include "run/run.h"

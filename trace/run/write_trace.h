@@ -1,4 +1,4 @@
-/// Runs traced to the end of a file.
+/// Traces runs to the end of a file.
 #pragma once
 
 #include "run/floating_horizon_run.h"
@@ -10,11 +10,11 @@ namespace vidno {
 bool write_trace(RunRequest request, TraceWriter& writer);
 bool write_trace(FloatingHorizonRequest request, TraceWriter& writer);
 
-// The last line of a trace says what came out of its run.
+// The last line of a trace has the result of its run.
 inline void finish(TraceWriter& writer, const Picture& picture) { writer.finish(picture); }
 inline void finish(TraceWriter& writer, const DrawnLines& lines) { writer.finish("lines", lines_hash(lines)); }
 
-/// The same with `run()`, which tells the writer.
+/// The same with `run()`, which reports to the writer.
 bool write_run(TraceWriter& writer, auto&& run) {
     try {
         finish(writer, run());

@@ -1,4 +1,4 @@
-/// The window of a scene that names none.
+/// The window of a scene without one.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace vidno {
 
-/// The whole pixels that all vertices reach over, at least one each way. None where there are no vertices, or too many pixels.
+/// The whole pixels that the vertices span, at least one in each direction. None if there are no vertices, or too many pixels.
 std::optional<Area> default_window(const std::vector<ScenePolygon>& polygons);
 
-/// The columns and rows of all samples. None likewise.
+/// The columns and rows of all samples; none in the same cases.
 std::optional<Area> default_window(const std::vector<Curve>& curves);
 
 }  // namespace vidno

@@ -1,6 +1,6 @@
-/// What the library decides exactly of a scene, compiled once: who reads or changes scenes compiles no CGAL.
+/// The library's exact decisions on scenes, compiled once, so that code that reads or changes scenes does not compile CGAL.
 ///
-/// The functions are those of vidno/admission.h, look.h and snap.h, where they are described.
+/// vidno/admission.h, look.h and snap.h describe these functions.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ Seen look(const View& view, const ScenePolygon& world);
 Scene snapped(Scene scene, Resolution to);
 std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping);
 
-/// Whether start, start + step, start + 2 step and so on are doubles without rounding, this many of them.
+/// Whether `count` numbers start, start + step, start + 2 step and so on are doubles without rounding.
 bool are_doubles(double start, double step, int count);
 
 }  // namespace vidno::exact_scene

@@ -1,5 +1,5 @@
-/// Failure files, `vidno-failure/1`: a scene on which a run fails, the run that holds, and what is to be seen. The atlas, lessons/failures,
-/// is made of these.
+/// Failure files, `vidno-failure/1`: a scene on which a run fails, the run that holds, and what can be seen. The atlas, lessons/failures,
+/// consists of these.
 #pragma once
 
 #include <optional>
@@ -20,17 +20,17 @@ struct NamedRun {
     Edition edition{};
 };
 
-/// What of a failure can be seen, by the form in which its file says it.
+/// What can be seen of a failure, in one of the forms that its file may use.
 struct Shows {
-    std::optional<std::pair<int, int>> pixel;  // is painted wrong
+    std::optional<std::pair<int, int>> pixel;  // this pixel is painted wrong
     std::optional<std::pair<int, int>>
         column;  // of a curve, by its place: it is drawn over this column, or not, and should not, or should
     std::optional<std::pair<int, double>> place;  // the same at an x between columns
-    std::string wrong;                            // a procedure that decides wrongly
+    std::string wrong;                            // a procedure with a wrong decision
     std::string fault;                            // a line of the listing at which the run faults
-    std::string missing, present;                 // a line that it does not reach, or alone reaches
-    bool more_windows = false;                    // than the run that holds
-    std::optional<double> off;                    // pixels by which an intersection is
+    std::string missing, present;                 // a line that it does not reach, or that only it reaches
+    bool more_windows = false;                    // it has more windows than the run that holds
+    std::optional<double> off;                    // the error of an intersection, in pixels
 };
 
 struct Failure {
@@ -41,14 +41,14 @@ struct Failure {
     std::string source;             // published; may be empty
     std::string test;               // where no scene can show it, the name of the test that does
     std::optional<AnyScene> scene;  // one of these two
-    // Of a failure with a scene.
+    // Only for a failure with a scene.
     NamedRun fails, holds;
     std::optional<AnyScene> holds_scene;  // if the run that holds has one of its own
     Shows shows;
     std::vector<std::string> warnings;  // of the scene
 };
 
-/// Whether a file is one of these, by what is in it.
+/// Whether a file is a failure, by its contents.
 bool is_failure(std::string_view text);
 
 /// `text` is the JSON, `file` its name in messages. Throws Refused, with a line for each fault.

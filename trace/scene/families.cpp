@@ -76,12 +76,12 @@ Group nearly_edge_on(RandomPolygons& random, const Area& area) {
     return {random.sliver(area, off)};
 }
 
-/// A point of the edge from one to the other, so many eighths from its beginning.
+/// The point of the edge from one vertex to the other at the given number of eighths.
 glm::dvec3 on_edge(const glm::dvec3& from, const glm::dvec3& to, int eighths) {
     return from + (to - from) * (eighths / 8.0);
 }
 
-/// A triangle, and one with a vertex on an edge of it; in whole numbers and eighths, so that it is there exactly.
+/// A triangle, and another one with a vertex exactly on an edge of the first, in whole numbers and eighths.
 Group touching(RandomPolygons& random, const Area& area) {
     const auto corner = [&] {
         return glm::dvec3(area.x + random.whole(-2, area.width + 2), area.y + random.whole(-2, area.height + 2), 0);
@@ -95,7 +95,7 @@ Group touching(RandomPolygons& random, const Area& area) {
     return {first, second};
 }
 
-/// Two triangles, on either side of a line, that have a part of an edge in common, at depths of their own.
+/// Two triangles, on either side of a line, that share a part of an edge but have different depths.
 Group shared_edges(RandomPolygons& random, const Area& area) {
     const auto corner = [&] {
         return glm::dvec3(area.x + random.whole(-2, area.width + 2), area.y + random.whole(-2, area.height + 2), 0);
@@ -111,8 +111,7 @@ Group shared_edges(RandomPolygons& random, const Area& area) {
     return {first, second};
 }
 
-/// Vertices in line with the corners of windows, along their sides and diagonals: where octants meet, and rays pass through
-/// vertices.
+/// Vertices in line with the corners of windows, along their sides and diagonals, where octants meet and rays pass through vertices.
 Group octants(RandomPolygons& random, const Area& area) {
     const double corner_x = area.x + 2 * random.whole(0, area.width / 2);
     const double corner_y = area.y + 2 * random.whole(0, area.height / 2);
@@ -143,7 +142,7 @@ CurveScene curves_with(RandomPolygons& random, auto&& height) {
     return scene;
 }
 
-/// Few heights: curves meet on columns between their samples, and run along each other.
+/// Few heights, so that curves meet on columns between their samples, and run along each other.
 CurveScene ties(RandomPolygons& random) {
     return curves_with(random, [&] { return double(random.whole(4, 8)); });
 }
@@ -153,7 +152,7 @@ CurveScene crossing_curves(RandomPolygons& random) {
 }
 
 double moved(double value, std::int64_t ulps) {
-    // Read as whole numbers, the doubles of one sign are in order; this puts the negative ones before the others.
+    // Read as whole numbers, doubles of one sign are in order; this puts the negative ones first.
     const auto flipped = [](std::int64_t bits) {
         return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
     };

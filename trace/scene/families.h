@@ -1,7 +1,7 @@
-/// Families: random scenes of one kind each, the same ones on every machine.
+/// Families: random scenes, each of one kind, the same on every machine.
 ///
-/// A sub-pixel grid makes coincidences common: vertices on centres, on outlines and on each other. Moved by ulps, what
-/// was a coincidence becomes nearly one.
+/// A sub-pixel grid makes coincidences common: vertices on centres, on outlines and on each other. Moving by ulps turns coincidences into
+/// near coincidences.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@ namespace vidno {
 
 using Corners = std::vector<glm::dvec3>;
 
-/// Each polygon gets a colour of its own, so that the picture says which one shows.
+/// Each polygon gets its own colour, so that the picture shows which one is visible.
 inline Color color_of(std::size_t index) {
     return {std::uint8_t(index + 1), std::uint8_t(40 * (index % 6)), std::uint8_t(200 - index % 7 * 20)};
 }
 
-/// Draws in braces, never in parentheses: their order is then that of the text.
+/// Write draws in braces, never in parentheses: only braces evaluate them in the order of the text.
 struct RandomPolygons {
-    std::mt19937 generator;  // and no distribution, for these differ between standard libraries
+    std::mt19937 generator;  // no distributions, which differ between standard libraries
 
     explicit RandomPolygons(std::mt19937 seeded) : generator(seeded) {}
 
@@ -60,7 +60,7 @@ struct RandomPolygons {
         return vertices;
     }
 
-    /// A triangle thinner than a pixel, or without area: its third vertex is so far to the right of the others' middle.
+    /// A triangle thinner than a pixel, or without area: its third vertex is this far to the right of the middle of the others.
     Corners sliver(const Area& area, double off) {
         const glm::dvec3 a = vertex(area);
         const glm::dvec3 b = vertex(area);
@@ -79,27 +79,27 @@ struct Family {
     std::string_view name;
     std::string_view shows;
     std::vector<Corners> (*group)(RandomPolygons&, const Area&);  // polygons that belong together
-    CurveScene (*curves)(RandomPolygons&) = nullptr;              // or, of curves, all of the scene
+    CurveScene (*curves)(RandomPolygons&) = nullptr;              // or a whole scene of curves
 };
 
 extern const std::array<Family, 12> families;
-/// Of curves.
+/// The families of curves.
 extern const std::array<Family, 2> curve_families;
 
-/// A campaign that names no family has the first ones, as it always had: its files can be gone on with.
+/// A campaign that names no family has the first ones, as always, so that its old files can be continued.
 inline constexpr std::size_t first_families = 9;
 
 inline constexpr int family_side = 8;
 
-/// Two to four groups in an area of family_side pixels each way, somewhere; before a backdrop, or half of the time not.
+/// Two to four groups in an area of family_side pixels each way, somewhere; half of the time in front of a backdrop.
 Scene random_scene(const Family& family, RandomPolygons& random);
 
-/// Each coordinate moved by up to so many ulps.
+/// Each coordinate is moved by at most `most` ulps.
 Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random);
-/// Each height.
+/// The same for each height.
 CurveScene moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
 
-/// The scene as it may be run after its vertices were changed: z between -1 and 1, and what is no longer planar or convex cut into
+/// Makes a scene valid after its vertices were changed: z between -1 and 1, and polygons that are no longer planar or convex cut into
 /// triangles.
 Scene admitted(const Scene& scene);
 

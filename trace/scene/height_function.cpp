@@ -11,7 +11,7 @@ namespace vidno {
 
 namespace {
 
-/// The parser reads its variables where they are.
+/// The parser reads its variables from these members.
 struct Parsed {
     mu::Parser parser;
     double x = 0, z = 0;
@@ -26,7 +26,7 @@ HeightFunction height_function(const std::string& text) {
         parsed->parser.DefineVar("x", &parsed->x);
         parsed->parser.DefineVar("z", &parsed->z);
         parsed->parser.SetExpr(text);
-        parsed->parser.Eval();  // it reads the text when it is first asked
+        parsed->parser.Eval();  // the first call parses the text
     } catch (const mu::ParserError& error) {
         throw Refused(error.GetMsg());
     }

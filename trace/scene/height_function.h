@@ -8,8 +8,8 @@ namespace vidno {
 
 using HeightFunction = std::function<double(double x, double z)>;
 
-/// The text is an expression of muParser in x, z and pi. Throws Refused, with the reason alone, for one that it does not take.
-/// What sines and powers come to in their last bits is the affair of the machine.
+/// The text is an expression of muParser in x, z and pi. Throws Refused, with only the reason, for an invalid one.
+/// The last bits of sines and powers depend on the machine.
 HeightFunction height_function(const std::string& text);
 
 }  // namespace vidno

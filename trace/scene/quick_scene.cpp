@@ -14,7 +14,7 @@ namespace vidno {
 
 namespace {
 
-/// Each function is false for a text that is left to the reader of trees.
+/// Each function returns false for text that it leaves to the tree reader.
 class SceneScanner : JsonScanner {
 public:
     using JsonScanner::JsonScanner;
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// Whether a key is there for the first time.
+    /// Whether a key occurs for the first time.
     static bool once(bool& seen) { return !std::exchange(seen, true); }
 
     /// Calls `member` with each key, to read its value.

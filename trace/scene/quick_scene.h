@@ -1,4 +1,4 @@
-/// A scene file read without a tree, as most are: no camera, ids without escapes, nothing to warn of.
+/// Reads a scene file without a tree, which works for most: no camera, ids without escapes, no warnings.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// The scene as read_scene gives it. None for a file that is wrong or has more than this reader knows.
+/// The same scene as read_scene gives. None for a file with errors or with features that this reader does not know.
 std::optional<Scene> read_quickly(std::string_view text);
 
 }  // namespace vidno

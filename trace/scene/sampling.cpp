@@ -48,7 +48,7 @@ private:
         return {origin.columns + back.columns * curve_ + column, y};
     }
 
-    /// The samples that are needed from a column on and before another one.
+    /// The samples that are needed from one column on and before another one.
     static void add(Curve& to, const Curve& all, int first, int last, double tolerance) {
         const auto at = [&](int column) -> const Sample& { return all.samples[std::size_t(column)]; };
         const double slope = (at(last).y - at(first).y) / (last - first);

@@ -9,13 +9,13 @@
 
 namespace vidno {
 
-/// A way on the screen, in pixels: whole ones to the right, and downward.
+/// A vector on the screen, in pixels: whole ones to the right, and downward.
 struct ScreenWay {
     int columns = 0;
     double rows = 0;
 };
 
-/// Where on the screen what is: any parallel projection in which a curve goes from left to right.
+/// The view: any parallel projection in which a curve goes from left to right.
 struct SurfaceView {
     ScreenWay origin;  // the place of the nearest curve's left end, if y were 0
     ScreenWay across;  // from a curve's left end to its right one; at least a column
@@ -33,19 +33,19 @@ struct FunctionSurface {
     SurfaceView view;
 };
 
-/// The same with a sample on each column: all that the screen can show of the function.
+/// The same with a sample on each column: everything that the screen can show of the function.
 FunctionSurface on_each_column(FunctionSurface surface);
 
-/// Where a function is not finite, or too large to be shown.
+/// Thrown where a function is not finite, or too large to be shown.
 struct NotFinite {
     double x, z;
 };
 
 /// The curves, the nearest first.
 ///
-/// With a tolerance there are more samples where a curve needs them: as long as the curve is over some column farther than that
-/// from the line between two samples, one more stands halfway. Every column between is looked at, so that no peak is passed
-/// over that is as wide as a column; at the worst there is a sample on each column. Throws NotFinite.
+/// With a tolerance there are more samples where a curve needs them: while the curve is farther than the tolerance from the line between
+/// two samples over any column, one more is put halfway. Every column between is examined, so that no peak as wide as a column is missed.
+/// At worst there is a sample on each column. Throws NotFinite.
 std::vector<Curve> sampled(const FunctionSurface& surface);
 
 }  // namespace vidno

@@ -1,5 +1,5 @@
-/// Reading checks in this order: the text as JSON (depth and repeated keys while it is parsed), the keys and types, the
-/// values, and last the polygons' shapes, exactly. What is wrong with the text ends it; all else is told at once.
+/// Reading checks in this order: the text as JSON (depth and repeated keys during parsing), the keys and types, the values, and finally
+/// the polygons' shapes, exactly. An error in the text ends it; all other errors are reported together.
 #include "scene/scene_json.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view scene_format = "vidno-scene/1";
 
-/// The camera; none if something is wrong with it, which the faults then have.
+/// The camera; none if it has errors, which are added to the faults.
 std::optional<Camera> read_camera(const JsonNode& node, const Area& area, Faults& faults) {
     Camera camera;
     bool is_right = true;
@@ -62,7 +62,7 @@ std::string read_id(const JsonNode& node, std::size_t position) {
     return id.text();
 }
 
-/// Says of a polygon that is refused for its depth which z it is.
+/// Names the z for which a polygon is refused.
 void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission admission) {
     const JsonNode vertices = node.at("vertices");
     if (admission == Admission::out_of_depth_range) {
@@ -73,7 +73,7 @@ void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission a
     vertices.refuse(reason_of(admission));
 }
 
-/// Whether what has a default may be left out: not in the header of a trace.
+/// Whether members with a default may be left out; they may not in the header of a trace.
 enum class Defaults { taken, none };
 
 class SceneReader {
@@ -113,7 +113,7 @@ private:
         });
     }
 
-    /// Reads a member if it is there. False if it is not, or was refused.
+    /// Reads a member if it is present. False if it is not, or was refused.
     bool read_member(const JsonNode& object, std::string_view key, auto&& read) {
         return object.has(key) && faults_.attempt([&] { read(object.at(key)); });
     }
@@ -128,7 +128,7 @@ private:
         result_.scene.area = *window;
     }
 
-    /// The polygon but for its shape; none if something is wrong with it.
+    /// The polygon without a check of its shape; none if it has errors.
     std::optional<ScenePolygon> read_polygon(const JsonNode& node, std::size_t position) {
         ScenePolygon polygon;
         polygon.color = default_color(position);
@@ -156,7 +156,7 @@ private:
         return is_right ? std::optional(std::move(polygon)) : std::nullopt;
     }
 
-    /// In the world, if there is a camera; it may itself be at fault.
+    /// The vertices are in the world if there is a camera, which may itself be at fault.
     void read_polygons(const JsonNode& node, bool in_world) {
         if (node.size() > most_polygons) node.refuse("more than " + std::to_string(most_polygons) + " polygons");
         std::vector<std::optional<ScenePolygon>> polygons;

@@ -16,17 +16,17 @@ struct SceneWithWarnings {
     std::vector<std::string> warnings;  // what was dropped or cut, a line each, file first
 };
 
-/// `text` is the JSON, `file` its name in messages. Everything but the vertices has a default: the window is what the vertices reach
-/// over, a colour comes from the palette. Throws Refused, with a line for each fault.
+/// `text` is the JSON, `file` is its name in messages. Everything but the vertices has a default: the window is the span of the vertices,
+/// a colour comes from the palette. Throws Refused, with a line for each fault.
 SceneWithWarnings read_scene(std::string_view text, const std::string& file);
 
-/// The same of a scene inside another document, whose file this is. Throws Misread.
+/// The same for a scene inside another document, with the name of that document's file. Throws Misread.
 SceneWithWarnings read_scene(const JsonNode& node, const std::string& file);
 
-/// A scene that leaves out nothing that its pictures depend on, as in the header of a trace. Throws Misread.
+/// A scene with everything that its pictures depend on, as in the header of a trace. Throws Misread.
 Scene read_whole_scene(const JsonNode& node);
 
-/// The scene as JSON on one line, the same bytes each time; read_scene gives the same scene again.
+/// The scene as JSON on one line, always the same bytes; read_scene reads back the same scene.
 std::string scene_json(const Scene& scene);
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// The scene that the kernel `grid` runs, and what was changed to make it.
+/// The scene that the kernel `grid` runs, and the changes that snapping made.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@ namespace vidno {
 
 struct SnappedScene {
     Scene scene;                       // the triangles that a polygon was cut into have its id and a number
-    std::vector<std::size_t> sources;  // of each polygon, which it was
+    std::vector<std::size_t> sources;  // for each polygon, the one that it was made from
     Snapping snapping;
 
-    /// In words, "moved 5 of 12 vertices, ..."; empty if nothing changed.
+    /// The changes in words, "moved 5 of 12 vertices, ..."; empty if there are none.
     std::string change() const;
 };
 
-/// The most bits of a grid that the kernel's numbers would hold; 0: none do.
+/// The most bits of a grid that the kernel's numbers can hold for the scene; 0 if they hold none.
 int finest_grid_of(const Scene& scene);
 
-/// Throws Refused if the kernel's numbers would not hold it.
+/// Throws Refused if the kernel's numbers cannot hold the scene.
 SnappedScene snapped_scene(const Scene& scene, int bits);
 
 }  // namespace vidno

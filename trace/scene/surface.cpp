@@ -1,5 +1,5 @@
-/// Reading checks in this order: the text as JSON, the keys and types, the values, and last whether each curve has its samples
-/// on the window's columns. What is wrong with the text ends it; all else is told at once.
+/// Reading checks in this order: the text as JSON, the keys and types, the values, and finally whether each curve has its samples on the
+/// window's columns. An error in the text ends it; all other errors are reported together.
 #include "scene/surface.h"
 
 #include <cmath>
@@ -67,7 +67,7 @@ std::pair<double, double> read_range(const JsonNode& node) {
     return range;
 }
 
-/// Says of curves that leave the window which one does.
+/// Names the curve that leaves the window.
 void expect_in_window(const JsonNode& view, const SurfaceView& seen, int curves, const Area& area) {
     for (int i = 0; i < curves; ++i) {
         const int first = seen.origin.columns + seen.back.columns * i;
@@ -80,7 +80,7 @@ void expect_in_window(const JsonNode& view, const SurfaceView& seen, int curves,
     }
 }
 
-/// The surface is that of the root. Refuses too many samples, and a function that is not finite at one.
+/// The surface of the root. Refuses too many samples, and a function that is not finite at a sample.
 std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& root) {
     const int most = surface.tolerance ? surface.view.across.columns + 1 : surface.samples;
     expect_few_samples(root.at("curves"), std::size_t(surface.curves) * std::size_t(most));
@@ -91,10 +91,10 @@ std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& ro
     }
 }
 
-/// Columns that no window reaches beyond.
+/// The limits of the columns of any window.
 constexpr Area any_columns{-farthest_offset, 0, 2 * (farthest_offset - 1), 1};
 
-/// Whether what has a default may be left out: not in the header of a trace.
+/// Whether members with a default may be left out; they may not in the header of a trace.
 enum class Defaults { taken, none };
 
 class SurfaceReader {
@@ -118,7 +118,7 @@ public:
         return std::move(surface_);
     }
 
-    /// The surface must be given as a function, which is finite over each column.
+    /// Requires a surface given as a function that is finite over each column.
     Function function() {
         root_.object();
         if (!has_function()) root_.refuse("no function, which could be sampled in other ways");
@@ -159,12 +159,12 @@ private:
         has_window_ = read_member("window", [&](const JsonNode& node) { area = node.window(); });
     }
 
-    /// Reads a member if it is there. False if it is not, or was refused.
+    /// Reads a member if it is present. False if it is not, or was refused.
     bool read_member(std::string_view key, auto&& read) {
         return root_.has(key) && faults_.attempt([&] { read(root_.at(key)); });
     }
 
-    /// If something is wrong with it, the faults have that.
+    /// Errors are added to the faults.
     FunctionSurface function_surface() {
         FunctionSurface surface;
         int most_samples_a_curve = largest_side + 1;

@@ -17,40 +17,40 @@ struct Surface {
     bool operator==(const Surface&) const = default;
 };
 
-/// What a scene file holds: polygons, or curves.
+/// The contents of a scene file: polygons, or curves.
 using AnyScene = std::variant<Scene, Surface>;
 
-/// How many samples the curves have together.
+/// The total number of samples.
 std::size_t sample_count(const CurveScene& curves);
 
-/// Over how many columns they are together.
+/// The total number of columns of the curves.
 std::size_t column_count(const CurveScene& curves);
 
-/// Whether a scene file is one of these, by what is in it.
+/// Whether a scene file is a surface, by its contents.
 bool is_surface(std::string_view text);
 
-/// `text` is the JSON, `file` its name in messages. Of a function its samples remain. Format, name and window have defaults: the window is
-/// what the samples reach over. Throws Refused, with a line for each fault.
+/// `text` is the JSON, `file` is its name in messages. A function is replaced by its samples. Format, name and window have defaults: the
+/// window is the span of the samples. Throws Refused, with a line for each fault.
 Surface read_surface(std::string_view text, const std::string& file);
 
-/// The same of a surface inside another document. Throws Misread.
+/// The same for a surface inside another document. Throws Misread.
 Surface read_surface(const JsonNode& node);
 
 /// A surface with its window and its samples, as in the header of a trace. Throws Misread.
 Surface read_whole_surface(const JsonNode& node);
 
-/// A surface that is given as a function, which may be sampled in other ways.
+/// A surface given as a function, which may be sampled in other ways.
 struct Function {
     std::string name;
     Area area;
     FunctionSurface surface;
-    std::string file{};  // what it was read from, on one line
+    std::string file{};  // the JSON it was read from, on one line
 };
 
-/// The same of a file. Throws Refused, also where there is no function, or it is not finite over some column.
+/// The same from a file. Throws Refused, also if there is no function, or if it is not finite over some column.
 Function read_function(std::string_view text, const std::string& file);
 
-/// The surface as JSON on one line, sample by sample, the same bytes each time; read_surface gives the same surface again.
+/// The surface as JSON on one line, sample by sample, always the same bytes; read_surface reads back the same surface.
 std::string surface_json(const Surface& surface);
 
 }  // namespace vidno

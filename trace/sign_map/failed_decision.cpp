@@ -12,7 +12,7 @@ namespace vidno {
 
 namespace {
 
-/// From a double to the next that is farther from 0, but not less than near 1.
+/// The distance from a double to the next one away from 0, at least the distance near 1.
 double spacing_at(double coordinate) {
     const double size = std::max(std::abs(coordinate), 1.0);
     return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
@@ -36,7 +36,7 @@ MappedDecision failed_decision(const Failure& failure, const std::string& file) 
     do {
         decision.p = point - glm::dvec2(before_middle) * decision.step;
     } while (!(are_doubles(decision.p.x) && are_doubles(decision.p.y)) && (decision.step *= 2) < 1);
-    constexpr int pivot = 1;  // as SurroundTest has it: the edge's beginning
+    constexpr int pivot = 1;  // as in SurroundTest: the beginning of the edge
     decision.asked = MappedOrientation{vertices[from], vertices[(from + 1) % vertices.size()], pivot};
     return decision;
 }

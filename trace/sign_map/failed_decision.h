@@ -1,4 +1,4 @@
-/// The decision at which a failure goes wrong, as one to be mapped.
+/// The decision at which a failure goes wrong, for a map.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace vidno {
 
-/// An orientation, with its point in the middle of the map, which has the steps of doubles there. Throws Refused, after the
-/// name of the file, if something else fails.
+/// An orientation, with its point in the middle of the map, whose steps are those of doubles there. Throws Refused, with the name of the
+/// file first, if anything else fails.
 MappedDecision failed_decision(const Failure& failure, const std::string& file);
 
 }  // namespace vidno

@@ -11,7 +11,7 @@ namespace vidno {
 
 namespace {
 
-/// What a kernel is to see: the polygons that are asked about, and one that reaches as far as all else.
+/// The scene that a kernel sees: the polygons of the decision, and one that reaches as far as everything else.
 Scene scene_of(const MappedDecision& decision, int side) {
     Scene scene;
     scene.area = {0, 0, 1, 1};

@@ -1,4 +1,4 @@
-/// SignMap: how a kernel decides at each place of p, beside the right answer.
+/// SignMap: the decision of a kernel at each place of p, beside the right answer.
 #pragma once
 
 #include <array>
@@ -29,19 +29,19 @@ struct SignMap {
 
     const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
 
-    /// How many cells have each computed answer, the first index, with each exact one.
+    /// The number of cells for each computed answer, the first index, and each exact one.
     Counts counts() const;
     int differing() const;
 };
 
-/// The signs at the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as the corrected procedures take it.
+/// The signs at the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as in the corrected procedures.
 SignMap sign_map(const MappedDecision& decision, const NamedKernel& kernel, int side = MappedDecision::side);
 
-/// The computed answer is the hue; dark where it differs from the exact one.
+/// The hue shows the computed answer; it is dark where it differs from the exact one.
 Color color_of(const SignMap::Cell& cell);
 
-/// p at the lower left, as in the published maps, in the colours of its cells. The exact answer changes where black and white
-/// pixels run side by side.
+/// The map in the colours of its cells, with p at the lower left, as in the published maps. Black and white pixels side by side mark the
+/// border where the exact answer changes.
 Picture picture_of(const SignMap& map);
 
 std::string map_json(const SignMap& map);

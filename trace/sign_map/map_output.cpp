@@ -9,7 +9,7 @@ namespace {
 
 constexpr int zoom = 4;  // a picture of 1024 x 1024 pixels
 
-// By the computed sign. Lightness alone tells them apart as well.
+// Indexed by the computed sign. The colours also differ in lightness.
 constexpr std::array<Color, 3> agreeing{{{255, 226, 204}, {255, 255, 255}, {165, 200, 240}}};
 constexpr std::array<Color, 3> differing{{{215, 95, 0}, {0, 0, 0}, {30, 70, 170}}};
 constexpr Color lower_side{0, 0, 0}, upper_side{255, 255, 255};

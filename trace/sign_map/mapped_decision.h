@@ -1,4 +1,4 @@
-/// MappedDecision: a decision of the procedures, asked at each place of a point p that moves by small steps.
+/// MappedDecision: a decision of the procedures, taken at each place of a point p that moves by small steps.
 ///
 /// Source  The places are those of L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of
 ///         robustness problems in geometric computations, Computational Geometry 40(1), 2008.
@@ -14,15 +14,15 @@
 
 namespace vidno {
 
-/// How a decision calls its answers, each a sign: negative, zero, positive. One that it never gives has no name.
+/// The names of a decision's answers, each a sign: negative, zero, positive. An answer that it never gives has no name.
 using AnswerNames = std::array<std::string_view, 3>;
 inline constexpr AnswerNames three_signs{"negative", "zero", "positive"};
 
-/// The order of what is kept by sign.
+/// The index of a sign.
 constexpr int place_of(Sign sign) { return int(sign) + 1; }
 
-/// On which side of the line from q to r does p lie? The differences are taken from the pivot, and always in the same
-/// order round the triangle: in exact arithmetic the pivot makes no difference.
+/// On which side of the line from q to r does p lie? The differences are taken from the pivot, always in the same order around the
+/// triangle. In exact arithmetic the pivot makes no difference.
 struct MappedOrientation {
     static constexpr std::string_view decision = "orientation";
     static constexpr AnswerNames answers = three_signs;
@@ -40,7 +40,7 @@ struct MappedSurround {
 };
 
 /// PolygonClip cuts the edge from p to q at one side of the window. On which side of a later one does the cut lie?
-/// (What is not cut has its own coordinates: a double tells their side right.)
+/// (A vertex that is not cut has given coordinates, so a double decides its side correctly.)
 struct MappedClip {
     static constexpr std::string_view decision = "clip";
     static constexpr AnswerNames answers = three_signs;  // positive lies outside
@@ -66,7 +66,7 @@ struct MappedDecision {
     double step;
     std::variant<MappedOrientation, MappedSurround, MappedClip, MappedDepth> asked;
 
-    /// A double each, without rounding, for 0 <= i, j < side.
+    /// The coordinates of a place, doubles without rounding for 0 <= i, j < side.
     glm::dvec2 place(int i, int j) const { return {p.x + i * step, p.y + j * step}; }
 };
 

@@ -1,4 +1,4 @@
-/// The files of decisions to be mapped, `vidno-question/1`: reading with every rule checked. lessons/maps/README.md says what they hold.
+/// The files of decisions to be mapped, `vidno-question/1`: reading with every rule checked. lessons/maps/README.md describes them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// `text` is the JSON, `file` its name in messages. Throws Refused.
+/// `text` is the JSON, `file` is its name in messages. Throws Refused.
 MappedDecision read_mapped_decision(std::string_view text, const std::string& file);
 
 }  // namespace vidno

@@ -23,7 +23,7 @@ Series moved_by(const Family& family, RandomPolygons& random, std::int64_t ulps)
     return {ulps > 0 ? moved_by_ulps(scene, ulps, random) : scene};
 }
 
-/// The last polygon goes to the right in 256 steps; halfway it is where the family puts it.
+/// The last polygon moves to the right in 256 steps; halfway it is where the family puts it.
 template <class StepOf>
 Series swept_over(const Family& family, RandomPolygons& random, StepOf step_of) {
     const Scene halfway = random_scene(family, random);
@@ -55,7 +55,7 @@ void move(Scene& scene, auto&& where) {
     }
 }
 
-/// A scene next to coincidences, and what becomes of it.
+/// A scene near coincidences, and its transformed versions.
 template <class Change>
 Series changed_by(const Family& family, RandomPolygons& random, Change change) {
     const Scene scene = moved_by_ulps(random_scene(family, random), 1, random);
@@ -154,7 +154,7 @@ Pictures exact_pictures_of(const Series& series, Method method) {
     return pictures_of(series, reference_of(method), *kernel_named("exact"));
 }
 
-/// The colours at the centres of the family's area: of a picture k times as large, each k-th pixel of each k-th row.
+/// The colours at the centres of the family's area: in a picture k times as large, every k-th pixel of every k-th row.
 std::vector<Color> sampled(const Picture& picture) {
     const Area& area = picture.area();
     const int step = area.width / family_side;
@@ -229,7 +229,7 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
                 const std::vector<TriedMethod>& methods) {
     const bool at_all_pixels = experiment.kind == swept || experiment.kind == changed;
     Tallies tallies;
-    // Of the series as it is, by the method whose exact picture it is: most methods paint the same.
+    // The exact pictures of the series before snapping, by reference method, since most methods paint the same.
     std::map<Method, Pictures> right_as_given;
     for (const auto& kernel : kernels) {
         const Series own = kernel.snaps() ? snapped(series, kernel.parameter) : series;

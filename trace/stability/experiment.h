@@ -1,4 +1,4 @@
-/// Experiment: what is done to a family's scenes, and what the runs come to.
+/// Experiment: the changes made to a family's scenes, and the results of the runs.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace vidno {
 
-/// What runs came to. "Wrong" is against exact arithmetic on the scene; under `grid`, on the snapped one.
+/// The results of runs. "Wrong" is relative to exact arithmetic on the scene; under `grid`, on the snapped one.
 struct Tally {
     std::uint64_t runs = 0, wrong_runs = 0;            // wrong: with a wrong pixel
     std::uint64_t pixels = 0, wrong_pixels = 0;        // of all runs
-    std::uint64_t decisions = 0, wrong_decisions = 0;  // those that have a truth: after a wrong turn some have none
-    std::uint64_t steady = 0, flickers = 0;  // pixels that should stay from one scene to the next; that do not
+    std::uint64_t decisions = 0, wrong_decisions = 0;  // those with a truth; after a wrong decision some have none
+    std::uint64_t steady = 0, flickers = 0;  // pixels that should not change from one scene to the next; that do
     std::uint64_t windows = 0;               // of Warnock's algorithm
 
     Tally& operator+=(const Tally& other);
@@ -25,7 +25,7 @@ struct Tally {
     bool operator==(const Tally&) const = default;
 };
 
-/// By the names under which they are written.
+/// By the names used in files.
 struct TallyField {
     std::string_view name;
     std::uint64_t Tally::*value;
@@ -38,17 +38,17 @@ inline constexpr std::array tally_fields{
     TallyField{"windows", &Tally::windows},
 };
 
-/// A tally for each kernel, and for it each method.
+/// A tally for each kernel and method.
 using Tallies = std::vector<Tally>;
 
 struct Experiment {
-    /// What is done, and so what is looked at: decisions and pixels; pixels from scene to scene, twice; windows.
+    /// The kind of an experiment, which determines what is counted: decisions and pixels; pixels from scene to scene, twice; windows.
     enum class Kind : unsigned char { moved, swept, changed, grown };
 
     Kind kind;
-    std::string_view how;  // no two of a kind are alike
+    std::string_view how;  // different for each of a kind
     std::int64_t amount;   // of ulps, of pixels a side
-    std::uint64_t price;   // what a trial costs, in runs: of dear ones there are fewer
+    std::uint64_t price;   // the cost of a trial, in runs: there are fewer trials of expensive ones
     std::vector<Scene> (*series)(const Family&, RandomPolygons&, std::int64_t amount);  // the scenes of a trial
 };
 
@@ -56,15 +56,15 @@ inline constexpr std::array<std::string_view, 4> kind_names{"moved", "swept", "c
 
 extern const std::array<Experiment, 21> experiments;
 
-/// A method of polygons, or none for the floating horizon.
+/// A method for polygons, or none for the floating horizon.
 using TriedMethod = std::optional<Method>;
 
-/// Runs a trial. A method counts nothing under a kernel that does not run it, and of a scene that it does not take. Throws
-/// Refused if a scene is too wide for `grid`.
+/// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. Throws Refused if a
+/// scene is too wide for `grid`.
 Tallies try_out(const Experiment& experiment, const std::vector<Scene>& series, const std::vector<NamedKernel>& kernels,
                 const std::vector<TriedMethod>& methods);
 
-/// The same of curves: their columns count as pixels.
+/// The same for curves, whose columns count as pixels.
 Tallies try_out(const CurveScene& scene, const std::vector<NamedKernel>& kernels,
                 const std::vector<TriedMethod>& methods);
 

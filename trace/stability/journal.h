@@ -1,4 +1,4 @@
-/// Journal: a file that grows by whole lines, whenever it is killed.
+/// Journal: a file that grows by whole lines, even if the program is killed.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@ namespace vidno {
 
 class Journal {
 public:
-    /// Begins a file with its first line, or goes on with one that has it: half a line at its end, from a run that was
-    /// killed, is dropped. Throws Refused, without a change, if the file begins otherwise or somebody else writes it.
+    /// Begins a file with its first line, or continues one that has it; a partial line at the end, from a run that was killed, is dropped.
+    /// Throws Refused, without a change, if the file begins differently or another program writes it.
     Journal(const std::string& name, std::string_view first_line);
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// The whole lines that it had from the start, the first included.
+    /// The whole lines that it had at the start, the first included.
     const std::string& text() const { return text_; }
 
     void append(std::string_view line);

@@ -20,7 +20,7 @@ std::string text_of(const Color& color) {
     return text.string();
 }
 
-/// The first pixel in which a picture is not as it should be.
+/// The first wrong pixel of a picture.
 std::optional<std::string> wrong_pixel(const Picture& picture, const Picture& right) {
     const Area& area = right.area();
     for (int y = area.y; y < area.bottom(); ++y) {
@@ -33,9 +33,9 @@ std::optional<std::string> wrong_pixel(const Picture& picture, const Picture& ri
     return std::nullopt;
 }
 
-/// From the most down to the least, as long as the picture stays right.
+/// Goes down from the highest level while the picture stays right.
 struct Knob {
-    int needed;             // the lowest at which it does
+    int needed;             // the lowest level with the right picture
     std::string one_lower;  // the wrong pixel below that; empty if there is nothing below
 };
 Knob turned_down(int most, int least, const auto& picture_at, const Picture& right) {
@@ -83,7 +83,7 @@ private:
         return "without \"" + least_.polygons[0].id + "\" " + *wrong;
     }
 
-    /// Triangles have no vertex to spare, and what is left of a polygon may not be one.
+    /// Triangles cannot lose a vertex, and the rest of a polygon may not be admitted.
     std::string missed_vertex() const {
         for (std::size_t polygon = 0; polygon < least_.polygons.size(); ++polygon) {
             for (std::size_t vertex = 0; vertex < least_.polygons[polygon].vertices.size(); ++vertex) {
@@ -96,7 +96,7 @@ private:
         return "";
     }
 
-    /// Of coordinates, which are snapped. Polygons that would not stay planar or convex are cut into triangles first.
+    /// The bits of coordinates, which are snapped. Polygons that would not stay planar or convex are first cut into triangles.
     void places() {
         Resolution finest{0, 0};
         for (const auto& polygon : least_.polygons) {
@@ -117,7 +117,7 @@ private:
         tell_places("binary places of z", finest.z, [](int value) { return Resolution{every_place, value}; });
     }
 
-    /// Of the significand: `bits:P`, or where 24 are not enough the 53 of `double`.
+    /// The bits of the significand: `bits:P` or, if 24 are not enough, the 53 of `double`.
     void arithmetic() {
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             const std::string what = "bits of arithmetic, " + std::string(method_names[std::size_t(method)]);
@@ -139,7 +139,7 @@ private:
         }
     }
 
-    /// Of Warnock's windows: at the last one a window gets the colour of its centre.
+    /// The levels of Warnock's windows: at the last level a window gets the colour of its centre.
     void levels() {
         const int most = std::countr_zero(unsigned(covering_square(scene_.area).width));
         const auto picture_at = [&](int level) {

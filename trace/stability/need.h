@@ -1,4 +1,4 @@
-/// Need: how little of a scene gives the same picture.
+/// Need: how little of a scene suffices for the same picture.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-/// What the picture needs of one thing, and the pixel that turns wrong with one less of it.
+/// How much of one thing the picture needs, and the pixel that becomes wrong with one less.
 struct Need {
     std::string what;       // "polygons"
     std::string amount;     // "2 of 5"
@@ -21,8 +21,8 @@ struct NeedReport {
     Scene least;  // with the polygons and vertices that are needed
 };
 
-/// The picture is that of the picture rule. Polygons and vertices are left out first, and all else is asked of what
-/// remains; each with the others as they are. `progress` is called at each picture.
+/// The picture is that of the picture rule. Polygons and vertices are left out first; everything else is tested on the remaining scene,
+/// one thing at a time. `progress` is called at each picture.
 NeedReport needs_of(const Scene& scene, const std::function<void()>& progress);
 
 }  // namespace vidno

@@ -9,7 +9,7 @@ namespace vidno {
 
 namespace {
 
-/// A sublist that `holds`, of which no element alone can be left out: ever smaller parts are tried, the halves first.
+/// A sublist that `holds` and cannot lose any single element. It tries to remove ever smaller parts, halves first.
 template <class T>
 std::vector<T> least_sublist(std::vector<T> list, const auto& holds) {
     for (std::size_t part = (list.size() + 1) / 2; part > 0;) {
@@ -58,7 +58,7 @@ Scene with_fewest_vertices(Scene scene, const Property& keeps) {
     return scene;
 }
 
-/// The scene with one coordinate rounded to fewer places, to as few as it may have; or as it is.
+/// The scene with one coordinate rounded to as few places as possible, or unchanged.
 Scene with_shorter_coordinate(Scene scene, std::size_t polygon, std::size_t vertex, int axis, const Property& keeps) {
     const auto& vertices = scene.polygons[polygon].vertices;
     const double value = vertices[vertex][axis];
@@ -67,14 +67,14 @@ Scene with_shorter_coordinate(Scene scene, std::size_t polygon, std::size_t vert
         auto rounded = vertices;
         rounded[vertex][axis] = snapped(value, places);
         const auto candidate = with_vertices(scene, polygon, std::move(rounded));
-        // Admission may drop a vertex: the number of them is another step's affair.
+        // Admission may drop a vertex, but another step changes their number.
         if (!candidate || candidate->polygons[polygon].vertices.size() != vertices.size()) continue;
         if (keeps(*candidate)) return *candidate;
     }
     return scene;
 }
 
-/// Each coordinate with as few binary places as it may have, one after the other.
+/// The scene with as few binary places as possible, reduced one coordinate at a time.
 Scene with_fewest_places(Scene scene, const Property& keeps) {
     for (std::size_t polygon = 0; polygon < scene.polygons.size(); ++polygon) {
         for (std::size_t vertex = 0; vertex < scene.polygons[polygon].vertices.size(); ++vertex) {

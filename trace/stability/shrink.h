@@ -13,27 +13,27 @@
 
 namespace vidno {
 
-/// Of an admitted scene. It is asked often.
+/// A property of an admitted scene. It is called often.
 using Property = std::function<bool(const Scene&)>;
 
-/// Takes   a scene that has the property.
-/// Gives   one that has it too, and loses it if any polygon or any vertex is left out, or any coordinate rounded to fewer
-///         binary places.
+/// Takes   a scene with the property.
+/// Gives   a scene that has it too, but loses it if any polygon or any vertex is left out, or any coordinate is rounded to
+///         fewer binary places.
 Scene shrunk(Scene scene, const Property& keeps);
 
-/// The same of curves: no curve, no sample and no binary place of a height can be spared.
+/// The same for curves: the result cannot lose a curve, a sample or a binary place of a height.
 CurveScene shrunk(CurveScene scene, const std::function<bool(const CurveScene&)>& keeps);
 
-/// The same with polygons and vertices alone, coordinates as they are.
+/// The same for polygons and vertices only; coordinates do not change.
 Scene with_fewest_parts(Scene scene, const Property& keeps);
 
 /// The scene without one of its polygons.
 Scene without_polygon(Scene scene, std::size_t index);
 
-/// The scene without a vertex, if what is left of the polygon is one.
+/// The scene without a vertex, if the rest of the polygon is admitted.
 std::optional<Scene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex);
 
-/// How many vertices its polygons have together.
+/// The total number of vertices.
 std::size_t vertices_of(const Scene& scene);
 
 /// The least k >= 0 such that the value is a multiple of 2^-k.

@@ -112,7 +112,7 @@ Tallies tallies_from(const Json& entries) {
     return tallies;
 }
 
-/// Calls `read` with a line's object. A line counts if it is the one that we would write: `read` gives that.
+/// Calls `read` with a line's object. A line counts if it is the one that we would write, which `read` returns.
 void read_line(const std::string& line, const std::string& place, auto&& read) {
     try {
         if (read(Json::parse(line)) == line + "\n") return;
@@ -142,7 +142,7 @@ Tallies run_block(const Campaign& campaign, const Block& block) {
         RandomPolygons random = random_of(campaign, *block.family, trial);
         const auto& [kind, how, amount, price, series_of] = *block.experiment;
         if (block.family->curves) {
-            // Nothing else is done to curves.
+            // Curves have no other experiments.
             if (kind != Experiment::Kind::moved) continue;
             const CurveScene curves = moved_by_ulps(block.family->curves(random), amount, random);
             add_to(sum, try_out(curves, kernels, methods));

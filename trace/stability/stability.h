@@ -1,10 +1,10 @@
-/// Stability: campaigns of many small runs, and the sums of what went wrong in them.
+/// Stability: campaigns of many small runs, and the sums of their errors.
 ///
-/// A campaign puts families of scenes to experiments. The seed, the family and a trial's number determine its scenes, so
-/// that trials may be made anywhere and in any order: they are made in blocks, and tallies add.
+/// A campaign runs experiments on families of scenes. The seed, the family and a trial's number determine its scenes, so trials may run
+/// anywhere and in any order. They run in blocks, and tallies add.
 ///
 /// A file of results, `vidno-stability/1`, is the campaign in its first line and a finished block in each other one.
-/// A last line that was cut short, by a kill, does not count.
+/// A last line that was cut short by a kill does not count.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace vidno {
 
 struct Campaign {
     std::uint64_t seed = 1;
-    std::uint64_t count = 100;  // trials of an experiment in each family; of dear ones fewer
+    std::uint64_t count = 100;  // trials of an experiment in each family; fewer of expensive ones
     std::vector<std::string> families, kernels, methods;
     bool operator==(const Campaign&) const = default;
 };
@@ -35,7 +35,7 @@ struct Block {
     std::uint64_t first, end;
 };
 
-/// The family of that name. Throws Refused if there is none.
+/// The family with this name. Throws Refused if there is none.
 const Family& family_of(const std::string& name);
 
 /// Throws Refused if a scene is too wide for `grid`.
@@ -44,15 +44,15 @@ Tallies run_block(const Campaign& campaign, const Block& block);
 /// A scene of polygons, or of curves.
 using AnyMoved = std::variant<Scene, CurveScene>;
 
-/// The scenes of a family's trials that move coordinates, in their order, until `use` says that it has seen enough.
+/// Passes the scenes of a family's trials that move coordinates to `use`, in order, until it returns that it has seen enough.
 void for_each_moved(const Campaign& campaign, const Family& family, const std::function<bool(const AnyMoved&)>& use);
 
 /// The finished blocks of a campaign.
 class Results {
 public:
-    /// Throws Refused for a name that there is not, or too many trials.
+    /// Throws Refused for an unknown name, or too many trials.
     explicit Results(Campaign campaign);
-    /// Of the files of one campaign. Throws Refused, also if they tell a block in different ways.
+    /// Merges the files of one campaign. Throws Refused, also if they have different results for a block.
     static Results merged(const std::vector<std::string>& files);
 
     const Campaign& campaign() const { return campaign_; }
@@ -61,17 +61,17 @@ public:
     std::size_t missing() const { return blocks_.size() - finished_.size(); }
 
     void add(const Block& block, const Tallies& tallies);
-    /// What a file of this campaign tells. Throws Refused.
+    /// Adds the results in a file of this campaign. Throws Refused.
     void add(const std::string& text, const std::string& file);
 
-    /// A file's first line, another one, and the whole with its blocks in order.
+    /// The first line of a file, another line, and the whole file with its blocks in order.
     std::string header() const;
     std::string line(const Block& block) const;
     std::string text() const;
 
-    /// Over the blocks of an experiment in a family.
+    /// The sum over the blocks of an experiment in a family.
     Tallies sum(std::string_view family, const Experiment& experiment) const;
-    /// Whether no kernel that should always be right was wrong.
+    /// Whether every kernel that should always be right was right.
     bool as_promised() const;
 
 private:

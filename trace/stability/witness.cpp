@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a run is first wrong: a pixel, or a curve and a column.
+/// The first error of a run: a pixel, or a curve and a column.
 using Place = std::pair<int, int>;
 
 std::optional<Place> wrong_pixel(const Scene& scene, Method method, const NamedKernel& kernel) {
@@ -44,7 +44,7 @@ std::optional<Place> wrong_column(const CurveScene& scene, const NamedKernel& ke
     return std::nullopt;
 }
 
-/// The file. A remedy is the kernel that is certain.
+/// The failure file. The remedy is the kernel that is always right.
 std::string failure_of(const std::string& scene, const Family& family, const std::string& method,
                        const std::string& kernel, const char* shown, const Place& place) {
     const auto run = [&](const std::string& under) {

@@ -9,9 +9,9 @@
 
 namespace vidno {
 
-/// Of the trials of a campaign that move coordinates, the first after which the method paints a pixel wrong, or draws a column of a
-/// curve wrong, shrunk: the text of a file `vidno-failure/1`. None if no trial does. `method` and `kernel` are names that the campaign
-/// has; `progress` is called at each scene that is run.
+/// The first trial of a campaign that moves coordinates and after which the method paints a pixel, or draws a column of a curve, wrong.
+/// It is shrunk and returned as the text of a file `vidno-failure/1`; none if there is no such trial. `method` and `kernel` are names in
+/// the campaign; `progress` is called at each scene that is run.
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const std::string& method,
                                    const std::string& kernel, const std::function<void()>& progress);
 

@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// An event that cannot follow: the reason.
+/// Why an event cannot follow.
 struct Impossible {
     std::string reason;
 };
@@ -21,7 +21,7 @@ public:
         bool operator==(const Frame&) const = default;
     };
 
-    /// The bottom frame is the method's.
+    /// The bottom frame is that of the method.
     CallStack(Procedure method, Detail detail) : detail_(detail), frames_{{method, std::nullopt}} {}
 
     const std::vector<Frame>& frames() const { return frames_; }  // outermost first
@@ -39,7 +39,7 @@ private:
         frames_.push_back({procedure, std::nullopt});
     }
 
-    /// A result closes the frame that its `call` opened; below the level of the call there is none.
+    /// A result closes the frame that its `call` opened. Below the level of the call there is no such frame.
     void end(Procedure procedure) {
         if (detail_ < event::calls_from(procedure)) return;
         if (frames_.back().of != procedure) throw Impossible{"a result of a procedure that is not running"};

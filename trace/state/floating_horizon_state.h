@@ -1,4 +1,5 @@
-/// FloatingHorizonState: everything that a run of curves holds at a step, rebuilt from its events alone. What State is to polygons.
+/// FloatingHorizonState: everything that a run of curves holds at a step, rebuilt from its events alone. State is the equivalent for
+/// polygons.
 #pragma once
 
 #include "format/floating_horizon_trace.h"
@@ -10,7 +11,7 @@ class FloatingHorizonState {
 public:
     using Heights = std::vector<std::optional<Value>>;  // over each column of the area
 
-    /// A column that was looked at, and what Visibility said.
+    /// A column that was examined, and the result of Visibility.
     struct Looked {
         int x;
         VisibilityFlag flag;
@@ -19,14 +20,14 @@ public:
 
     explicit FloatingHorizonState(const FloatingHorizonHeader& header);
 
-    /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
+    /// Takes the next event. If it throws Impossible, discard the state, which may be inconsistent.
     void apply(const EventView& event);
 
     std::uint64_t step() const { return step_; }
     const FloatingHorizonHeader& header() const { return *header_; }
     const std::vector<CallStack::Frame>& calls() const { return calls_.frames(); }
     const DrawnLines& lines() const { return lines_; }
-    std::optional<int> curve() const { return curve_; }                        // at hand
+    std::optional<int> curve() const { return curve_; }                        // the current one
     const std::optional<SegmentColumns>& segment() const { return segment_; }  // of that curve
 
     // From level `polygons`; before that there are no horizons, edges and columns.
@@ -56,7 +57,7 @@ private:
         throw Impossible{"an event of a run of polygons"};
     }
 
-    /// The place of a column of the area.
+    /// The index of a column of the area.
     std::size_t column(int x) const;
     void set(Heights& horizon, int x, const Value& y) const;
     Segment segment_on(const SegmentColumns& columns) const;

@@ -60,7 +60,7 @@ void State::take(const event::Pop& e) {
     has_corners_ = false;
 }
 
-/// A window that is cut anywhere still has whole pixels.
+/// A window that is cut anywhere still consists of whole pixels.
 void State::expect_in_area(const Window& window) const {
     const auto is_whole = [](double x) { return x == std::floor(x); };
     const bool whole = is_whole(window.x) && is_whole(window.y) && is_whole(window.width) && is_whole(window.height);
@@ -202,12 +202,12 @@ void State::take(const event::PopList& e) {
     behind_.clear();
 }
 
-/// Whose next piece is one of this polygon.
+/// The current list, whose next piece must be one of this polygon.
 State::ListInHand& State::list_in_hand(PolygonPlace polygon) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     const auto& pieces = list_in_hand_->pieces;
     if (clipped_ >= pieces.size() || pieces[clipped_].polygon != polygon) {
-        throw Impossible{"not the next polygon of the list in hand"};
+        throw Impossible{"not the next polygon of the current list"};
     }
     return *list_in_hand_;
 }
@@ -218,7 +218,7 @@ void State::take(const event::Beside& e) {
 }
 
 void State::take(const event::Clipped& e) {
-    if (e.at != Line::WA5) return;  // else SplitPiercing looks at what two polygons have in common
+    if (e.at != Line::WA5) return;  // otherwise SplitPiercing examines the common part of two polygons
     auto& [pieces, inside, outside] = list_in_hand(e.polygon);
     const bool ground = pieces[clipped_++].ground;
     if (!e.inside.empty()) inside.push_back({e.polygon, e.inside, ground});
@@ -226,12 +226,12 @@ void State::take(const event::Clipped& e) {
 }
 
 void State::take(const event::Behind& e) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     behind_.push_back(e.behind);
 }
 
 void State::take(const event::NearerOnes&) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     auto& inside = list_in_hand_->inside;
     const auto grounds = std::count_if(inside.begin(), inside.end(), [](const auto& part) { return part.ground; });
     if (inside.size() - std::size_t(grounds) != behind_.size()) throw Impossible{"not a depth for each part inside"};

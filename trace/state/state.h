@@ -16,9 +16,9 @@ public:
     using Frame = CallStack::Frame;
     struct StackedWindow {
         Window window;
-        std::shared_ptr<Apl> apl;  // below level `polygons` nothing leaves it
+        std::shared_ptr<Apl> apl;  // below level `polygons`, polygons never leave it
     };
-    /// In the list of surrounding or of outside polygons: since a window of this level.
+    /// An entry of the list of surrounding or outside polygons, which it joined at a window of this level.
     struct Joined {
         PolygonPlace polygon;
         int level;
@@ -26,7 +26,7 @@ public:
     struct Clip {
         std::vector<ValueVertex> vertices, next;
     };
-    /// WA4: the list that was taken from the stack.
+    /// WA4: the current list, taken from the stack.
     struct ListInHand {
         std::vector<PolygonPart> pieces;           // the first is the clip polygon
         std::vector<PolygonPart> inside, outside;  // of its outline, from level `polygons`
@@ -38,7 +38,7 @@ public:
 
     explicit State(const TraceHeader& header);
 
-    /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
+    /// Takes the next event. If it throws Impossible, discard the state, which may be inconsistent.
     void apply(const EventView& event);
 
     std::uint64_t step() const { return step_; }
@@ -56,7 +56,7 @@ public:
     const std::optional<Color>& color() const { return color_; }
     bool insider() const { return insider_; }
     const std::optional<Clip>& clip() const { return clip_; }
-    /// With three lists the APL, which all windows share, is the third; these are the others.
+    /// With three lists the APL, which all windows share, is the third; these are the other two.
     const std::vector<Joined>& surrounding() const { return surrounding_; }
     const std::vector<Joined>& outside() const { return outside_; }
 
@@ -182,7 +182,7 @@ private:
 
     std::vector<StackedWindow> stack_;
     std::optional<StackedWindow> current_;
-    std::vector<Value> depths_;  // at PW5, of the polygon at hand
+    std::vector<Value> depths_;  // at PW5, of the current polygon
     std::optional<std::array<Value, 4>> corners_;
     bool has_corners_ = false;  // those are of the current window
     std::optional<int> k_;
@@ -195,8 +195,8 @@ private:
 
     std::vector<std::vector<PolygonPart>> lists_;
     std::optional<ListInHand> list_in_hand_;
-    std::size_t clipped_ = 0;   // how many of its pieces
-    std::vector<bool> behind_;  // of the parts inside that are not ground, in their order
+    std::size_t clipped_ = 0;   // the number of its pieces clipped so far
+    std::vector<bool> behind_;  // for the parts inside that are not ground, in order
     std::vector<PolygonPart> facets_, visible_;
 
     std::optional<int> polygon_;

@@ -1,4 +1,4 @@
-/// StateText: what the JSON of every state is made of.
+/// StateText: the building blocks of the JSON of every state.
 #pragma once
 
 #include <utility>

@@ -14,7 +14,7 @@ namespace std {
 
 namespace {
 
-/// Printed elsewhere first, for printf ends with a zero byte that there may be no room for.
+/// Prints into a buffer first, since printf adds a zero byte for which there may be no room.
 char* write_printed(char* to, const char* format, auto value) {
     char text[32];
     return copy_n(text, snprintf(text, sizeof text, format, value), to);
@@ -45,7 +45,7 @@ char* write_fraction(char* to, string_view digits, int exponent) {
 
 }  // namespace
 
-/// The digits are those of Dragonbox, from a library; the standard says how they are laid out.
+/// The digits come from a library, Dragonbox; the standard defines their layout.
 to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value) {
     assert(isfinite(value) && last - first >= 24);
     if (signbit(value)) *first++ = '-';
@@ -56,12 +56,12 @@ to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value)
     const auto [significand, exponent] = fmt::detail::dragonbox::to_decimal(abs(value));
     char room[20];
     const string_view digits(room, size_t(to_chars(room, room + sizeof room, significand).ptr - room));
-    // Fixed has leading or trailing zeros where scientific has a point and an exponent.
+    // Fixed notation has leading or trailing zeros where scientific notation has a point and an exponent.
     const int point = digits.size() > 1 ? 1 : 0;
     if (exponent > 4 + point || exponent < -int(digits.size()) - 2 - point) {
         return {write_scientific(first, digits, exponent), errc{}};
     }
-    // A whole number is written with all of its digits, also with those that reading back does not need.
+    // A whole number is written with all digits, including those that reading back does not need.
     if (exponent >= 0) return {write_printed(first, "%.0f", abs(value)), errc{}};
     return {write_fraction(first, digits, exponent), errc{}};
 }
@@ -75,7 +75,7 @@ from_chars_result from_chars(const char* first, const char* last, double& value,
     assert(format == chars_format::hex);
     const string text = "0x" + string(first, last);
     char* end = nullptr;
-    // Not strtod, which rounds twice where the double is subnormal: 113 bits hold what is written, and are rounded once.
+    // Not strtod, which rounds twice if the double is subnormal. 113 bits hold the written number, and are rounded once.
     const auto read = double(strtold(text.c_str(), &end));
     const auto length = end - text.c_str() - 2;
     if (length <= 0) return {first, errc::invalid_argument};

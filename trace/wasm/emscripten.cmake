@@ -4,7 +4,7 @@ if(NOT EMXX)
     return()
 endif()
 
-# All of /usr/include would bring in native headers: only the libraries that are headers alone.
+# All of /usr/include would bring in native headers, so only the header-only libraries are linked.
 set(em_include ${PROJECT_BINARY_DIR}/em_include)
 file(MAKE_DIRECTORY ${em_include})
 foreach(header IN ITEMS glm/glm.hpp CGAL/version.h boost/version.hpp nlohmann/json.hpp fmt/format.h
@@ -14,7 +14,7 @@ foreach(header IN ITEMS glm/glm.hpp CGAL/version.h boost/version.hpp nlohmann/js
     file(CREATE_LINK ${${library}_include}/${library} ${em_include}/${library} SYMBOLIC)
 endforeach()
 
-# There is no GMP here, and no rounding mode but to nearest (rounded_up.h). Debian's em++ finds its parser by NODE_PATH only.
+# There is no GMP here, and the only rounding mode is to nearest (rounded_up.h). Debian's em++ finds its parser only by NODE_PATH.
 set(em_compiler ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs ${EMXX} -O3 -fwasm-exceptions)
 set(em_flags
     -std=c++20 -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Werror -Wno-bitwise-instead-of-logical
@@ -22,7 +22,7 @@ set(em_flags
     -isystem ${PROJECT_SOURCE_DIR}/trace/wasm/standard -I ${PROJECT_SOURCE_DIR}/lib -I ${PROJECT_SOURCE_DIR}/trace
     -isystem ${em_include})
 
-# What CGAL needs is included before it, precompiled.
+# The headers that CGAL needs are included before it, precompiled.
 set(em_exact ${PROJECT_BINARY_DIR}/em_include/exact.h.pch)
 if(NOT TARGET em_exact_header)
     add_custom_command(

@@ -1,4 +1,4 @@
-// Included before all else where CGAL is used, compiled once.
+// Included before everything else where CGAL is used; compiled once.
 #pragma once
 
 #include "rounded_up.h"

@@ -6,8 +6,8 @@
 
 #include "refused.h"
 
-// In a page the formula's values are the page's: it reads the formula, writes why it takes it not (so many bytes, none if it
-// does), and from then on says what the last one comes to.
+// In a page, the page evaluates the formula. It parses the formula, writes the reason if it does not accept it and returns the number
+// of bytes (0 if it does), and from then on returns the values of the last formula.
 [[clang::import_module("vidno"), clang::import_name("formula")]] extern "C" std::size_t vidno_formula(const char* text,
                                                                                                       std::size_t size,
                                                                                                       char* reason,

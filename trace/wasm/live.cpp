@@ -1,32 +1,31 @@
-/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps, and that reads
-/// traces. Of a surface given as a function the page's own numbers are taken: see height_function.cpp.
+/// The library in a page: WebAssembly that makes a trace of a scene, with the same bytes as `vidno trace`, and sign maps, and that reads
+/// traces. For a surface given as a function, the page evaluates the function: see height_function.cpp.
 ///
-/// A caller takes room for a request, writes it there, asks for what it wants, and reads the bytes where they are. A
-/// request is a line of JSON, then a file. For a trace, the fields of its header but for the scene, and two more; and the
-/// scene's file:
+/// A caller reserves room for a request, writes it there, calls a function, and reads the resulting bytes in place. A request is a line
+/// of JSON, followed by a file. For a trace: the fields of its header except the scene, and two more; and the scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
 ///
-/// For a map, the kernel and how many places it has in a row; and the file of a decision:
+/// For a map: the kernel and the number of places in a row; and the file of a decision:
 ///
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
 ///
-/// For the list of a run's decisions, what a trace is asked by. For a margin, the run, a step of level signs and a vertex; and the scene's
-/// file:
+/// For the list of a run's decisions: the same as for a trace. For a margin: the run, a step of level signs and a vertex; and the
+/// scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","step":12,"polygon":"A","vertex":2}
 ///     {"format":"vidno-scene/1",...}
 ///
-/// For a failure, its file alone. What is made is a line of JSON:
+/// For a failure: its file alone. The result is a line of JSON:
 ///
 ///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,"pixel":[x,y]|null}
 ///
-/// with texts in both languages, `source` empty where nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and what is seen at
-/// the step in `there`.
+/// with texts in both languages, `source` empty if nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and a description of
+/// what is seen at the step in `there`.
 ///
-/// To read a trace, its first line; then block after block of whole lines. README.md says why and how fast.
+/// To read a trace: its first line, then blocks of whole lines. README.md says why, and how fast it is.
 
 #include <memory>
 #include <string>
@@ -50,11 +49,11 @@
 namespace vidno {
 namespace {
 
-/// One request after the other; no thread but the caller's.
+/// One request at a time, in the caller's thread.
 struct Live {
     std::string request, messages;
     Text made;
-    LineIndex lines;  // of a trace, or of the block that was read last
+    LineIndex lines;  // that of a trace, or of the block that was read last
     std::unique_ptr<Reading> reading;
 };
 
@@ -117,7 +116,7 @@ Scene read_scene_for(const NamedKernel& kernel, std::string_view text, std::stri
     return std::move(snapped.scene);
 }
 
-/// The first line of a request, and the file that follows.
+/// The first line of a request, and the file after it.
 std::pair<std::string_view, std::string_view> parts(std::string_view request) {
     const auto line = request.substr(0, request.find('\n'));
     return {line, request.substr(std::min(line.size() + 1, request.size()))};
@@ -146,11 +145,11 @@ void make_trace(Live& live) {
     }
 }
 
-/// A page shows no more zeros, and a run with more events takes too long.
+/// A page does not show more zeros, and a run with more events takes too long.
 constexpr std::size_t most_zeros = 2000;
 constexpr std::size_t most_narrow = 20;
 
-/// Ends a run that has told so many events; 0: none.
+/// Ends a run after this many events; 0: no limit.
 std::function<void()> limit(std::uint64_t most_events) {
     return [most_events, told = std::uint64_t{0}]() mutable {
         if (most_events > 0 && ++told > most_events) throw EventLimitReached{};
@@ -222,7 +221,7 @@ void make_map(Live& live) {
     const auto [kernel, side] = read_json(line, "request", [](const JsonNode& root) {
         root.require_keys({"kernel", "side"});
         const NamedKernel named = read_kernel(root.at("kernel"));
-        if (named.snaps()) root.at("kernel").refuse("the places of a map lie on no grid");
+        if (named.snaps()) root.at("kernel").refuse("the places of a map do not lie on a grid");
         return std::pair(named, root.at("side").whole_number(1, MappedDecision::side));
     });
     for (const auto& [computed, exact] :
@@ -253,7 +252,7 @@ void append_run(Text& out, std::string_view key, const NamedRun& run) {
     out += "},";
 }
 
-/// What a failure says of itself, and where it is seen.
+/// The description of a failure, and the step where it is seen.
 void make_failure(Live& live) {
     const Failure failure = read_failure(live.request, "scene");
     if (!failure.scene) throw Refused("scene: no scene shows it");
@@ -294,7 +293,7 @@ void read_block(Live& live) {
     live.reading->take(live.request, live.lines);
 }
 
-/// Whether it was made; else the messages say why not.
+/// Runs `what`. False if it was refused; the messages then give the reason.
 bool make(void (*what)(Live&)) {
     Live& live = vidno::live();
     live.made.clear();
@@ -315,45 +314,44 @@ bool make(void (*what)(Live&)) {
 
 extern "C" {
 
-/// Where the caller writes a request of so many bytes.
+/// The place where the caller writes a request of this many bytes.
 [[clang::export_name("request")]] char* vidno_request(std::size_t size) {
     vidno::live().request.resize(size);
     return vidno::live().request.data();
 }
 
-/// Makes the trace that is asked for. False if it was refused; then the messages say why, else what the caller should
-/// know (a line each).
+/// Makes the requested trace. False if it was refused; the messages then give the reason, otherwise warnings, one per line.
 [[clang::export_name("run")]] bool vidno_run() { return vidno::make(vidno::make_trace); }
 
-/// Makes the map that is asked for, or is refused likewise: a character a place, '0' to '8', the row of p first. It is three
-/// times the computed sign and once the exact one, of which each is 0, negative, 1, zero, or 2, positive.
+/// Makes the requested map, or is refused in the same way: one character per place, '0' to '8', the row of p first. The digit is three
+/// times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
 
-/// Makes the list of decisions that is asked for, `vidno-decisions/1`, or is refused likewise.
+/// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way.
 [[clang::export_name("findings")]] bool vidno_findings() { return vidno::make(vidno::make_findings); }
 
-/// Makes the margin that is asked for, `vidno-margin/1`, or is refused likewise.
+/// Makes the requested margin, `vidno-margin/1`, or is refused in the same way.
 [[clang::export_name("margin")]] bool vidno_margin() { return vidno::make(vidno::make_margin); }
-/// Makes what there is to say of a failure, as JSON, or is refused likewise.
+/// Makes the description of a failure, as JSON, or is refused in the same way.
 [[clang::export_name("failure")]] bool vidno_failure() { return vidno::make(vidno::make_failure); }
 
-/// Begins to read the trace of which the request is the first line. False if it was refused.
+/// Begins to read the trace whose first line is the request. False if it was refused.
 [[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }
 
-/// Reads a block of lines, each with its line feed, up to the first that is not an event as a run writes it, or one that cannot happen:
-/// a page has another reader for those.
+/// Reads a block of lines, each with its line feed, up to the first that is not an event in the form that a run writes, or that cannot
+/// happen. A page has another reader for those.
 [[clang::export_name("read")]] bool vidno_read() { return vidno::make(vidno::read_block); }
 
-/// The bytes of what was made.
+/// The bytes of the result.
 [[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.view().data(); }
 [[clang::export_name("made_size")]] std::size_t vidno_made_size() { return vidno::live().made.size(); }
 
-/// Of a trace, or of the block that was read last: how many events it has; where in its bytes each event's line begins, and then the
-/// line after them, 32 bits each; and the number of each event's name, 8 bits.
+/// For a trace, or the block that was read last: the number of events; the positions in its bytes where each event's line begins, and
+/// then the line after them, 32 bits each; and the number of each event's name, 8 bits.
 [[clang::export_name("events")]] std::size_t vidno_events() { return vidno::live().lines.names.size(); }
 [[clang::export_name("starts")]] const std::uint32_t* vidno_starts() { return vidno::live().lines.starts.data(); }
 [[clang::export_name("names")]] const std::uint8_t* vidno_names() { return vidno::live().lines.names.data(); }
-/// The name with that number, ended by a zero; null if there is none.
+/// The name with this number, terminated by a zero; null if there is none.
 [[clang::export_name("name")]] const char* vidno_name(std::size_t number) {
     return number < vidno::event_names.size() ? vidno::event_names[number].data() : nullptr;
 }

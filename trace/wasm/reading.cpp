@@ -54,7 +54,7 @@ void Reading::take(std::string_view text, LineIndex& lines) {
             start = end + 1;
         }
     } catch (const Impossible&) {
-        // Another reader says why.
+        // Another reader reports why.
     }
     lines.starts.push_back(std::uint32_t(start));
 }

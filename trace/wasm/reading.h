@@ -1,4 +1,4 @@
-/// Reading: a trace as a page reads it, block by block.
+/// Reading: reads a trace block by block, for a page.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,12 @@ namespace vidno {
 
 class Reading {
 public:
-    /// By the first line. Throws Refused.
+    /// Begins with the first line. Throws Refused.
     explicit Reading(std::string_view first_line);
     ~Reading();
 
-    /// Adds the next lines, each with its line feed, up to the first that is not an event as a run writes it, or one that cannot happen.
+    /// Adds the next lines, each with its line feed, up to the first that is not an event in the form that a run writes, or that cannot
+    /// happen.
     void take(std::string_view text, LineIndex& lines);
 
 private:

@@ -1,6 +1,6 @@
-// Included before all else. CGAL's intervals set the rounding mode upward, where there is one. Here there is none, and each
-// operation would go on to the next number though nothing was lost: 1 + 1 would be an interval, and tell as 2.0000000000000004.
-// So what was lost is worked out; these bounds are those of a machine with rounding modes, to the last bit.
+// Included before everything else. CGAL's intervals set the rounding mode to upward, where there is one. Here there is none, and each
+// operation would step to the next number even if nothing was lost: 1 + 1 would be an interval, and appear as 2.0000000000000004. So we
+// compute the loss; the bounds are then those of a machine with rounding modes, to the last bit.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace vidno::upward {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-// Below it what a product or a quotient loses may be too small for a number.
+// Below it the loss of a product or a quotient may be too small for a double.
 inline constexpr double smallest_sure = 0x1p-960;
 
 /// The exact result is `lost` more than the one rounded to nearest. Only a finite one can be too large for a number.
@@ -21,7 +21,7 @@ inline double raised(double rounded, double lost, bool finite) {
     return lost > 0 ? std::nextafter(rounded, infinity) : rounded;
 }
 
-/// What is lost by Knuth's sum of two.
+/// The rounding error of a sum, by Knuth's algorithm.
 inline double sum(double a, double b) {
     const double rounded = a + b;
     const double of_b = rounded - a;
@@ -34,7 +34,7 @@ inline double product(double a, double b) {
     return raised(rounded, sure ? std::fma(a, b, -rounded) : 1, std::isfinite(a) && std::isfinite(b));
 }
 
-/// The remainder has the sign of what is lost, or with b < 0 the other one.
+/// The remainder has the sign of the loss, or the opposite sign if b < 0.
 inline double quotient(double a, double b) {
     const double rounded = a / b;
     const double remainder = std::fma(-rounded, b, a);

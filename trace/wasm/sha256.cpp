@@ -1,6 +1,6 @@
 #include "format/sha256.h"
 
-// In a page the library at hand is one of the page's: it writes the 32 bytes where it is told.
+// In a page, a library of the page computes the hash, and writes its 32 bytes to the given place.
 [[clang::import_module("vidno"), clang::import_name("sha256")]] extern "C" void vidno_sha256(const char* bytes,
                                                                                              std::size_t size,
                                                                                              unsigned char* digest);

@@ -1,4 +1,4 @@
-/// BackFaces: the faces of a closed body that the viewer cannot see, for they look the other way.
+/// BackFaces: the faces of a closed body that look away from the viewer and so cannot be seen.
 ///
 /// Source  L. G. Roberts, Machine perception of three-dimensional solids, 1963.
 #pragma once
@@ -9,8 +9,8 @@ namespace vidno {
 
 struct BackFaces {
     /// Takes   a convex polygon that is not edge-on, counter-clockwise as seen from outside the body.
-    /// Gives   whether it looks away, so that the viewer sees it go round clockwise: y grows downward, so c > 0. The sign of c is
-    ///         that of the first turn that is one.
+    /// Gives   whether it looks away: the viewer then sees its vertices in clockwise order, and c > 0, since y grows downward.
+    ///         The sign of c is that of the first turn that is not 0.
     /// Time    a cross product a vertex, up to that turn.
     template <class Run>
     static bool looks_away(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {

@@ -1,7 +1,7 @@
-/// BoxTest: two lines of the relation test that look at the box around the polygon alone.
+/// BoxTest: the two lines of the relation test that use only the box around the polygon.
 ///
 /// Takes   a polygon and a window.
-/// Gives   outside or inside, or nothing: then the box cannot tell. A box that touches the window from without cannot.
+/// Gives   outside or inside, or nothing if the box cannot decide. A box that touches the window from outside does not decide.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// The calls of the family's procedures through a run, told like those of the course's procedures in run.h.
+/// The calls of the family's procedures through a run, traced like those of the course's procedures in run.h.
 #pragma once
 
 #include "../run.h"

@@ -1,8 +1,8 @@
 /// Closed convex bodies: does a scene consist of them? Decided exactly for the given doubles.
 ///
 /// Polygons that share edges make a body. It is closed and convex if
-///   - each edge belongs to two of its polygons, which go along it in opposite directions;
-///   - each polygon has an area, all of its vertices lie in its plane, and all others of the body in it or behind it.
+///   - each edge belongs to two of its polygons, which traverse it in opposite directions;
+///   - each polygon has an area, all of its vertices lie in its plane, and all other vertices of the body in it or behind it.
 /// The vertices of a polygon run counter-clockwise as seen from the front, as in a mesh. Since y grows downward, its normal,
 /// Newell's sum, points backward, and a polygon with c < 0 faces the viewer.
 ///
@@ -32,10 +32,10 @@ using Edge = std::pair<Place, Place>;  // from, to
 
 inline Place place_of(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }  // -0 is 0
 
-/// The polygon that goes along each edge, by its place in the scene; none if two go the same way, or one comes back.
+/// The polygon that traverses each directed edge, by its index in the scene, and the first polygon that repeats one.
 struct Edges {
     std::map<Edge, std::size_t> polygons;
-    std::optional<std::size_t> repeating;  // goes along an edge another way was taken before
+    std::optional<std::size_t> repeating;  // traverses an edge in a direction that was taken before
 };
 
 inline Edges edges_of(const std::vector<ScenePolygon>& polygons) {
@@ -52,7 +52,7 @@ inline Edges edges_of(const std::vector<ScenePolygon>& polygons) {
     return edges;
 }
 
-/// The plane of a polygon, by intervals, and exactly for what these leave open.
+/// The plane of a polygon, in intervals, and exactly where these do not decide.
 class FacePlane {
 public:
     explicit FacePlane(const std::vector<glm::dvec3>& vertices)

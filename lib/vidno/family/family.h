@@ -2,7 +2,7 @@
 ///
 ///     vidno::Picture picture = vidno::render<vidno::family::Full>(vidno::Method::warnock_full, scene, vidno::Double{});
 ///
-/// Each paints the picture rule, or the variation of it that stands above the set, on the scenes of its domain.
+/// Each set paints the picture rule on the scenes of its domain, or the variation stated above the set.
 #pragma once
 
 #include <array>
@@ -36,17 +36,17 @@ struct Full : Corrected, RelationTest, BoxTest, TrialFunction, RayCrossings, Oct
     static constexpr auto methods = std::to_array({Method::warnock_full});
     static void warnock(auto& run) { ThreeListsWarnock::warnock(run); }
 
-    /// RE4: does a polygon whose edges do not meet a window surround it, or is it outside.
+    /// RE4: does a polygon whose edges do not meet a window surround it? If not, it is outside.
     static bool surrounds(auto& run, const auto& polygon, const Window& window) {
         using enum Line;
         return calls::ray_crossings(run, RE4, polygon, window) % 2 == 1;
     }
 
-    /// WF12: the parts of a window, whatever is in it.
+    /// WF12: the parts of a window, whatever it contains.
     static std::vector<Window> split(auto&, const Window& window, const auto&) { return parts(window); }
 };
 
-/// Contained by the sum of the angles.
+/// Tests containment by the sum of the angles.
 struct Angles : Full {
     static constexpr std::string_view name = "angles";
     static constexpr auto methods = std::to_array({Method::warnock_angles});
@@ -56,7 +56,7 @@ struct Angles : Full {
     }
 };
 
-/// Split at a vertex: no square is needed, for no window is halved on and on.
+/// Splits at a vertex. The first window need not be a square, since windows are not halved.
 struct AtVertex : Full {
     static constexpr std::string_view name = "at vertex";
     static constexpr auto methods = std::to_array({Method::warnock_vertex});
@@ -66,7 +66,7 @@ struct AtVertex : Full {
     }
 };
 
-/// Edge-on polygons show as well: each is the closed segment that it is projected to, at its nearest depth.
+/// Shows edge-on polygons as well: each is the closed segment that it is projected to, at its nearest depth.
 struct EdgeOn : Full {
     static constexpr std::string_view name = "edge-on";
     static constexpr auto methods = std::to_array({Method::warnock_edges});
@@ -84,7 +84,7 @@ struct EdgeOn : Full {
 };
 
 /// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body such a face may be as
-/// near as one that looks here: then the latter shows.
+/// near as one that faces the viewer; the latter then shows.
 struct Bodies : Corrected {
     static constexpr std::string_view name = "bodies";
     static constexpr auto methods = std::to_array({Method::warnock_bodies});

@@ -1,6 +1,6 @@
-/// OctantAngles: the angle under which a window sees a polygon's outline, in octants: a full one if the polygon is around it.
+/// OctantAngles: the angle under which a window sees a polygon's outline, in octants: a full turn if the polygon surrounds it.
 ///
-/// The lines of its sides part the plane around the window into eight octants, numbered the way a clock goes on the screen:
+/// The lines of its sides divide the plane around the window into eight octants, numbered clockwise on the screen:
 ///
 ///     0 | 1 | 2
 ///     --+---+--
@@ -8,9 +8,9 @@
 ///     --+---+--
 ///     6 | 5 | 4
 ///
-/// A point on a line counts as beyond it. An edge is seen under the difference of its ends' octants, the shorter way round.
-/// Half of a full angle has none: that edge passes a corner of the window, and the line of a side there splits it in two. On
-/// which side of the corner it passes says in which octant the parts meet.
+/// A point on a line counts as beyond it. The angle of an edge is the difference of its ends' octants, the shorter way round.
+/// For half of a full turn neither way is shorter: the edge then passes a corner of the window, and the line of a side there
+/// splits it in two. The side of the corner on which the edge passes determines the octant in which the parts meet.
 ///
 /// Takes   a polygon, edge-on or not, and a window that none of its edges meets.
 /// Gives   the sum: 8 or -8 octants if the polygon surrounds the window, 0 if it is outside.
@@ -22,7 +22,7 @@
 namespace vidno {
 
 struct OctantAngles {
-    /// Is an edge seen under half of a full angle.
+    /// Is an edge seen under half of a full turn?
     static bool needs_split(int difference) { return difference == 4 || difference == -4; }
 
     template <class Run>

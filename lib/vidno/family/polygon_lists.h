@@ -1,4 +1,4 @@
-/// PolygonLists: the three lists of Warnock's algorithm, over the whole run, and the windows that share them.
+/// PolygonLists: the three lists of Warnock's algorithm, kept for the whole run, and the windows that share them.
 #pragma once
 
 #include "../run.h"
@@ -19,10 +19,10 @@ struct PolygonLists {
         const Polygon<K>* polygon;
         int level;  // of the window at which it joined
     };
-    std::vector<Joined> surrounding, outside;  // what joined last is at the end: the levels rise
+    std::vector<Joined> surrounding, outside;  // in the order of joining: the levels rise
     ActivePolygonList<K> third;                // all others, in the order of the scene
 
-    /// All that may show, in the order of the scene.
+    /// All polygons that may show, in the order of the scene.
     ActivePolygonList<K> shown() const {
         ActivePolygonList<K> list = third;
         for (const auto& [polygon, level] : surrounding) list.push_back({polygon, true});

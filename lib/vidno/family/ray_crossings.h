@@ -1,10 +1,11 @@
 /// RayCrossings: how often does a ray from a point cross a polygon's outline? An odd number of times if the polygon holds it.
 ///
-/// The ray goes to the right. Where it passes through vertices, or along edges, it depends on the side to which the outline
-/// leaves the ray: the one from which it came, so it touches, which counts two; or the other, so it pierces, which counts
-/// one.
+/// The ray goes to the right. Where it passes through vertices or along edges, the count depends on the side to which the
+/// outline leaves the ray. If it returns to the side that it came from, it touches the ray, which counts two. If it leaves to
+/// the other side, it pierces the ray, which counts one.
 ///
-/// Takes   a polygon, edge-on or not, and a window that none of its edges meets; the point is its centre, so off the outline.
+/// Takes   a polygon, edge-on or not, and a window that none of its edges meets; the point is the window's centre, so it is
+///         not on the outline.
 /// Gives   the number of crossings.
 /// Time    a cross product for each edge that passes from one side of the ray to the other.
 #pragma once
@@ -14,7 +15,7 @@
 namespace vidno {
 
 struct RayCrossings {
-    /// How often a vertex on the ray counts, or a row of them, where the outline touches the ray or pierces it.
+    /// How often a vertex on the ray, or a row of them, counts where the outline touches the ray or pierces it.
     static int crossings_at_vertex(bool touches) { return touches ? 2 : 1; }
 
     template <class Run>

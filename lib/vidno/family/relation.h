@@ -1,15 +1,15 @@
-/// Relation: how a polygon lies to a window.
+/// Relation: how a polygon lies in relation to a window.
 ///
-/// A window U is meant without its sides: they are at whole pixels, and the centres by which it is painted are not on them.
-/// So what only touches a side from without shows at none of these centres, and is outside; what covers U has all of them,
-/// wherever its outline runs, and surrounds it. Of a closed polygon P and U one relation holds:
+/// A window U excludes its sides: they lie at whole pixels, and the centres by which it is painted are not on them. A polygon
+/// that only touches a side from outside shows at none of these centres and is outside. A polygon that covers U contains all of
+/// them, wherever its outline runs, and surrounds U. Exactly one relation holds between a closed polygon P and U:
 ///
 ///   outside       P and U have no point in common
 ///   inside        P lies in U
 ///   surrounding   U lies in P
 ///   intersecting  none of these
 ///
-/// Each test decides its part of this; so they agree, and may be exchanged.
+/// The tests follow these definitions, so they agree and may be exchanged.
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
-/// ThreeListsWarnock: what surrounds a window or is outside of it is so for its parts too, and is not tested again.
+/// ThreeListsWarnock: a polygon that surrounds a window or is outside it has that relation to its parts too, and is not tested
+/// again.
 ///
 /// Three lists hold the polygons over the whole run: the surrounding ones, those outside, and the third, of all others.
-/// Windows come depth first, so the first two lists are stacks, as AW is: a polygon that joined at a window of some level is
-/// right for the parts of that window, which are of higher levels and come before any other. When a window of its own level or
-/// a lower one comes, it goes back to the third list.
+/// Windows are visited depth first, so the first two lists are stacks, as AW is. A polygon that joined a list at a window
+/// belongs there for the parts of that window, which have higher levels and come before any other window. When a window of the
+/// same level or a lower one comes, the polygon goes back to the third list.
 ///
 /// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's full form.
 /// Takes   a run with its polygons.
@@ -75,7 +76,7 @@ struct ThreeListsWarnock {
     }
 
 private:
-    /// To the third list, what joined another one at a window that has no parts left.
+    /// Moves back to the third list the polygons that joined another list at a window that has no parts left.
     static void take_back(auto& run, auto& lists, int level) {
         using enum Line;
         auto& trace = run.trace;
@@ -91,7 +92,7 @@ private:
         lists.put_in_order(lists.third);
     }
 
-    /// From the third list, what surrounds the window or is outside of it. Gives the relation of the last that stays.
+    /// Moves out of the third list the polygons that surround the window or are outside it. Gives the relation of the last that stays.
     static Relation sort_out(auto& run, auto& lists, const Window& window, int level) {
         using enum Line;
         auto& trace = run.trace;

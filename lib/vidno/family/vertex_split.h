@@ -1,9 +1,9 @@
-/// VertexSplit: the parts of a window on either side of a vertex in it, where there is likely to be something to be seen.
+/// VertexSplit: the parts of a window on either side of a vertex in it, where detail is likely.
 ///
-/// Windows are of whole pixels: the split is at the pixel boundaries next to the vertex in x and y, if inside the window.
+/// Windows consist of whole pixels: the split is at the pixel boundaries next to the vertex in x and y, if inside the window.
 ///
 /// Takes   a window of more than a pixel, and polygons.
-/// Gives   its parts: about the first vertex in it that has such a boundary, else about its middle.
+/// Gives   its parts about the first vertex in it that has such a boundary, else about its middle.
 #pragma once
 
 #include <numeric>
@@ -37,7 +37,7 @@ struct VertexSplit {
     }
 
 private:
-    /// On either side of a column's and a row's first boundary; fewer than four if one of them is a side of the window.
+    /// The parts on either side of the first boundaries of a column and a row; fewer than four if one is a side of the window.
     static std::vector<Window> parts_about(const Window& window, double column, double row) {
         std::vector<Window> parts;
         for (const auto& [left, right] : {std::pair(window.x, column), std::pair(column, window.right())}) {

@@ -1,11 +1,11 @@
-/// What the procedures of the Warnock family have in common: the first list, and what a window is to them.
+/// What the procedures of the Warnock family share: the first list, and the test for the smallest window.
 #pragma once
 
 #include "../run.h"
 
 namespace vidno {
 
-/// The polygons that take part, in the order of the scene; none surrounds anything yet.
+/// The polygons that take part, in the order of the scene; none is marked as surrounding yet.
 template <class Run>
 std::shared_ptr<ActivePolygonList<typename Run::Arithmetic>> first_list(Run& run) {
     const auto list = std::make_shared<ActivePolygonList<typename Run::Arithmetic>>();

@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// In screen space, on a whole column; y grows downward, so that what lies higher has the smaller y.
+/// In screen space, on a whole column. y grows downward, so a higher point has the smaller y.
 struct Sample {
     int x = 0;
     double y = 0;
@@ -28,9 +28,9 @@ struct CurveScene {
     bool operator==(const CurveScene&) const = default;
 };
 
-/// The part of a curve from a sample to the next, or a side edge from the end of a curve to that of the next one.
+/// The part of a curve from one sample to the next, or a side edge from the end of one curve to that of the next.
 struct Segment {
-    int curve = 0;  // its place in the scene; of a side edge, the farther one's
+    int curve = 0;  // its index in the scene; for a side edge, that of the farther curve
     Sample from, to;
     bool operator==(const Segment&) const = default;
 };

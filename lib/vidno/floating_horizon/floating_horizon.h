@@ -1,4 +1,4 @@
-/// FloatingHorizon: the visible parts of curves, from the nearest to the farthest, beyond what the nearer ones reach.
+/// FloatingHorizon: the visible parts of curves, from the nearest to the farthest: those beyond what the nearer curves reach.
 ///
 /// Source  H. Williamson, Algorithm 420: Hidden-line plotting program, CACM 15(2), 1972; T. J. Wright, A two-space solution
 ///         to the hidden line problem for plotting functions of two variables, IEEE Transactions on Computers C-22(1), 1973;
@@ -7,23 +7,23 @@
 /// Gives   the run's lines, in the order of the curves and from left to right, and its horizons.
 /// Time    a few comparisons for each curve and column.
 ///
-/// The rule. Over a column the upper horizon is the highest, the lower one the lowest, of the curves before and of the side
-/// edges up to the left one of this curve; an edge counts over the columns between its ends. Where none of them has been
-/// there is no horizon. Between neighbouring columns that both have one a horizon is the straight line, elsewhere there is
-/// none. A point of a curve is visible if there is no horizon, or if it is not strictly between the two: touching is
-/// visible. Lines are closed: they have their ends, also where a horizon begins.
+/// The rule. Over a column the upper horizon is the highest point, and the lower horizon the lowest, of the earlier curves and
+/// of the side edges up to this curve's left one; an edge counts over the columns between its ends. Where none of them reaches,
+/// there is no horizon. Between neighbouring columns that both have a horizon, it is the straight line between them; elsewhere
+/// there is none. A point of a curve is visible if there is no horizon, or if it is not strictly between the two: a point that
+/// touches one is visible. Lines include their ends, also where a horizon begins.
 ///
-/// Otherwise than in the text, X-H1 and X-H2 (printed.h) besides. Its scan ends in Visibility: what this, Horizon and
-/// Intersection say there is not known, and the printed edition has ours.
-/// - X-H5. A curve is looked at over every column, not at its samples alone: what stands between two samples hides it, too.
+/// Differences from the text, besides X-H1 and X-H2 (printed.h). The scan of the text ends in Visibility: we do not know the
+/// rest of it, nor Horizon and Intersection, so the printed edition uses ours.
+/// - X-H5. We examine a curve over every column, not only at its samples, since an obstacle between two samples hides it too.
 ///   The text advises more samples at sharp peaks.
-/// - X-H4. A curve is compared with the horizons that those before it have left, and raises others. The text has one pair, so
-///   that a curve that dips under a horizon meets what it has just raised itself, up to a column too early; likewise an edge
+/// - X-H4. We compare a curve with the horizons that the earlier curves left, and raise a second pair. The text has one pair, so
+///   that a curve that dips under a horizon meets what it has just raised itself, up to a column too early. Likewise an edge
 ///   counts at its ends, where it meets the curve that it leads to.
-/// - X-H6. A point may be on both horizons, where these meet; the text has one flag for it, and takes what follows below them
+/// - X-H6. A point may be on both horizons, where these meet. The text has one flag for it, and takes a continuation below them
 ///   for a crossing of both.
-/// - X-H3. Horizons begin as none. Those of the text begin at the sides of the screen: of two curves beyond one the farther may
-///   be hidden, though nothing is before it.
+/// - X-H3. Initially there are no horizons. Those of the text begin at the sides of the screen: if two curves lie beyond one, the
+///   farther may be hidden though nothing is in front of it.
 #pragma once
 
 #include "floating_horizon_run.h"
@@ -65,7 +65,7 @@ private:
         }
     }
 
-    /// A column that is looked at.
+    /// A column that is examined.
     struct Step {
         int x;
         VisibilityFlag flag;

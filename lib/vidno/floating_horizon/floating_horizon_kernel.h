@@ -1,7 +1,7 @@
-/// FloatingHorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, which compare.
+/// FloatingHorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, and their comparison.
 ///
-/// OnColumns<K> is a kernel K that does so. This one works each formula out in K's own numbers; the one for `filtered`
-/// stands in kernels/filtered_heights.h.
+/// OnColumns<K> adapts a kernel K. The general form computes each formula in K's own numbers; the one for `filtered` is in
+/// kernels/filtered_heights.h.
 #pragma once
 
 #include <concepts>
@@ -14,18 +14,18 @@ namespace vidno {
 
 template <class K>
 concept FloatingHorizonKernel = requires(const K& kernel, const Segment& segment, const typename K::Height& height) {
-    // The column lies between the segment's ends, or is one of them; at an end the height is the sample's own.
+    // The column lies between the segment's ends, or is one of them. At an end the height is exactly the sample's.
     { kernel.height(segment, 0) } -> std::same_as<typename K::Height>;
     { kernel.point_on(segment, 0) } -> std::same_as<Point<typename K::Number>>;
 
     // Compares two heights over one column: positive if the first is above the second.
     { kernel.compare(height, height) } -> std::same_as<Sign>;
 
-    // Where a segment crosses a horizon of these heights over a column and the next: it is above the one and below the other.
+    // Where a segment crosses a horizon that has these heights over a column and the next; it is above one and below the other.
     { kernel.crossing(segment, 0, height, height) } -> std::same_as<Point<typename K::Number>>;
 };
 
-/// The line from y1 to y2, over a column and the next, crosses that from h1 to h2.
+/// Where the line from y1 to y2, over a column and the next, crosses that from h1 to h2.
 template <class Number>
 Point<Number> crossing_of(const Number& column, const Number& y1, const Number& y2, const Number& h1,
                           const Number& h2) {

@@ -1,5 +1,5 @@
 /// FloatingHorizonRun: one execution of the floating horizon: its procedure set, kernel and visitor, the curves, the horizons so
-/// far, and the lines drawn. What Run is to the methods that paint polygons.
+/// far, and the lines drawn. Run is the equivalent for methods that paint polygons.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace vidno {
 template <class Number>
 struct LineEnd {
     Point<Number> point;
-    int left, right;  // the columns next to it; if it is on one, both are that one
+    int left, right;  // the columns next to it; both the same if it is on one
 
     bool on_column() const { return left == right; }
 };

@@ -1,4 +1,4 @@
-/// Horizon: raise the upper horizon to a segment, and lower the lower one.
+/// Horizon: raises the upper horizon to a segment, and lowers the lower one.
 ///
 /// Takes   a segment and the columns first <= x <= last; none if last < first.
 /// Gives   over each column the higher of the upper horizon and the segment, and the lower of the lower one and the segment.

@@ -1,4 +1,4 @@
-/// Horizons: the highest and the lowest that the curves so far have come to, over each column of the area.
+/// Horizons: the highest and the lowest points of the curves so far, over each column of the area.
 #pragma once
 
 #include <cassert>
@@ -9,17 +9,18 @@
 
 namespace vidno {
 
-/// How a point lies to the horizons: it is visible unless hidden. The text's numbers; `both` is where the two meet.
+/// How a point lies in relation to the horizons: it is visible unless hidden. The values are the text's; `both` is where the
+/// two meet.
 enum class VisibilityFlag : signed char { below = -1, hidden = 0, above = 1, both = 2 };
 
-/// The side on which a point counts as visible, or hidden: one on both goes with its neighbour if that is visible.
+/// The side on which a point counts as visible, or hidden. A point on both takes the side of its neighbour if that is visible.
 constexpr VisibilityFlag side_beside(VisibilityFlag flag, VisibilityFlag neighbour) {
     using enum VisibilityFlag;
     if (flag != both) return flag;
     return neighbour == below ? below : above;
 }
 
-/// One of the two: a height over each column, or none where nothing has raised it yet.
+/// One of the two horizons: a height over each column, or none where nothing has raised it yet.
 template <FloatingHorizonKernel K>
 class HorizonArray {
 public:
@@ -49,7 +50,7 @@ struct Horizons {
     const HorizonArray<K>& on(VisibilityFlag side) const { return side == VisibilityFlag::above ? upper : lower; }
 };
 
-/// Is a height on the horizon or beyond it, on that side? Where there is none, everything is.
+/// Is a height on the horizon or beyond it, on that side? True where there is no horizon.
 template <FloatingHorizonKernel K>
 bool reaches_horizon(const K& kernel, const typename K::Height& y, const typename HorizonArray<K>::Cell& horizon,
                      VisibilityFlag side) {

@@ -1,8 +1,8 @@
-/// Intersection: where a segment meets a horizon. It looks from column to column until the segment is on its other side.
+/// Intersection: where a segment meets a horizon. It goes from column to column until the segment is on the other side.
 ///
-/// Source  D. F. Rogers, Procedural Elements for Computer Graphics, 1985, the routine of that name; there the nearest column
-///         is the intersection, here it is where the lines cross.
-/// Takes   a segment, the columns between which it meets the horizon, the horizon, and which of the two this is.
+/// Source  D. F. Rogers, Procedural Elements for Computer Graphics, 1985, the routine of that name. There the intersection is
+///         the nearest column, here it is where the lines cross.
+/// Takes   a segment, the columns between which it meets the horizon, the horizon, and whether it is the upper or the lower one.
 /// Gives   the first place where the segment comes to be beyond the horizon, or ceases to: on a column if it is on the
 ///         horizon there, or if the horizon begins or ends there; the last column if there is no such place.
 #pragma once
@@ -29,7 +29,7 @@ struct Intersection {
     }
 
 private:
-    /// Between a column and the next. Between one with a horizon and one without there is none.
+    /// The intersection between a column and the next; none if only one of them has a horizon.
     template <class Run>
     static typename Run::End crossing(Run& run, const Segment& segment, int column, const auto& horizon) {
         const auto& left = horizon[column];

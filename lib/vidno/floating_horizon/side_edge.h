@@ -1,7 +1,7 @@
-/// SideEdge: the horizons along the edge from the end of the curve before to that of the next, so that the side of the
-/// surface hides what is behind it. The edge is not drawn, as in the text. Hidden parts of it raise nothing.
+/// SideEdge: raises the horizons along the edge from the end of one curve to that of the next, so that the side of the surface
+/// hides what is behind it. As in the text, the edge is not drawn. Its hidden parts raise nothing.
 ///
-/// Takes   where the edge on this side has come to (nowhere yet, before the first curve), and the curve's end.
+/// Takes   the point that the edge on this side has reached (none before the first curve), and the curve's end.
 /// Gives   the horizons raised along the edge, and the edge at the curve's end.
 #pragma once
 

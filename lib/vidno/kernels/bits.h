@@ -1,6 +1,6 @@
-/// Bits: every result rounded to P bits, decisions as they fall. Lowering P shows how accuracy is lost.
+/// Bits: every result rounded to P bits; decisions follow from the rounded values. Lowering P shows how accuracy is lost.
 ///
-/// Rounding is to nearest, ties to even; the exponent is a double's, so that precision alone is what falls.
+/// Rounding is to nearest, ties to even. The exponent is a double's, so that only the precision decreases.
 ///
 /// Source  For + - * / and P <= 25, rounding a double to P bits equals rounding the exact result once: S. A. Figueroa, When is
 ///         double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
@@ -32,7 +32,7 @@ inline double rounded_to(int bits, double value) {
     return std::bit_cast<double>(pattern >> surplus << surplus);
 }
 
-/// A double with a precision in bits. It carries the precision along, since there is no global to hold it; a constant has none.
+/// A double with a precision in bits. It carries the precision, since there is no global to hold it; a constant has none.
 class Rounded {
 public:
     Rounded(double constant = 0) : value_(constant) {}

@@ -1,7 +1,7 @@
-/// Given and Bounded: doubles that know how wrong they may be.
+/// Given and Bounded: doubles with a bound on their error.
 ///
-/// A coordinate of the scene is Given: exact. What is computed from coordinates is Bounded: a double, and a bound on its
-/// distance from the exact result of the same formula. Each operation adds to the bound what rounding may add.
+/// A coordinate of the scene is Given: exact. A value computed from coordinates is Bounded: a double, and a bound on its
+/// distance from the exact result of the same formula. Each operation increases the bound by the rounding error it may add.
 #pragma once
 
 #include <cmath>
@@ -18,8 +18,8 @@ struct Given {
     auto operator<=>(const Given&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 takes it for a 0
 };
 
-/// |value - exact| <= error. An error of 0 says that the value is exact; an infinite one, or a value that is not finite, that
-/// nothing is known.
+/// |value - exact| <= error. An error of 0 means that the value is exact. An infinite error, or a value that is not finite,
+/// means that nothing is known.
 struct Bounded {
     double value = 0, error = 0;
 
@@ -45,7 +45,7 @@ struct Bounded {
     }
 
 private:
-    /// So much beyond the error that the rounded sum with the value does not fall short of it.
+    /// A little more than the error, so that the rounded sum with the value still bounds the exact one.
     double outward() const { return error * (1 + unit) + unit * std::abs(value); }
 };
 
@@ -70,7 +70,7 @@ inline Bounded operator/(const Bounded& a, const Bounded& b) {
                        Bounded::unit * std::abs(value) + Bounded::underflow};
 }
 
-/// Whether the bounds say that the value is not 0, and so has the sign of the exact one.
+/// Whether the bounds exclude 0, so that the value has the sign of the exact one.
 inline bool sign_is_certain(const Bounded& a) {
     return std::abs(a.value) > a.error * (1 + Bounded::unit) && std::isfinite(a.value);
 }

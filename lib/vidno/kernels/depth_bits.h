@@ -1,4 +1,4 @@
-/// DepthBits: a double's arithmetic, and a Z-buffer of B bits.
+/// DepthBits: arithmetic in doubles, and a Z-buffer of B bits.
 ///
 /// There are 2^B evenly spaced depths from -1 to 1, both ends included. A depth is rounded to the nearest of them before it
 /// is stored, and compared in that form: depths that round alike are equally near.

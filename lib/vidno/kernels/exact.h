@@ -1,4 +1,4 @@
-/// Exact rationals: every decision is right for the doubles of the scene. The reference of all other kernels.
+/// Exact rationals: every decision is right for the doubles of the scene. The reference for all other kernels.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
@@ -67,7 +67,7 @@ private:
 
 using Interval = CGAL::Interval_nt<false>;
 
-/// The double that is nearest to the value; of two equally near ones, the even one.
+/// The double nearest to the value; ties go to even.
 inline double nearest_double(const Rational& value) {
     double nearest = CGAL::to_double(value);  // or a few doubles away
     while (std::isfinite(nearest)) {
@@ -87,8 +87,8 @@ struct EnclosedSign {
     bool by_interval;  // otherwise by rational numbers
 };
 
-/// The sign of a formula of numbers of which each has an `interval()` and a value, `exactly()`. Where the formula's interval has a
-/// sign, no rational number is computed.
+/// The sign of a formula over numbers that each have an `interval()` and an exact value, `exactly()`. If the formula's interval
+/// has a sign, no rational number is computed.
 EnclosedSign enclosed_sign(const auto& formula, const auto&... values) {
     const auto by_interval = [&] {
         const CGAL::Protect_FPU_rounding<true> upward;
@@ -135,8 +135,8 @@ private:
     Interval interval_;
 };
 
-/// What OnRegions asks a kernel for. Each number is computed exactly; the sign of a formula is that of its interval, where this has
-/// one, since Weiler and Atherton's algorithm asks for many signs of few points.
+/// The operations that OnRegions needs. Each number is computed exactly. The sign of a formula is that of its interval where this
+/// has one, since Weiler and Atherton's algorithm needs many signs of few points.
 struct EnclosedNumbers : NumberKernel<Enclosed> {
     Sign sign_of(const auto& formula, const auto&... values) const { return enclosed_sign(formula, values...).sign; }
 };

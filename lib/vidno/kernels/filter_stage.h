@@ -7,14 +7,14 @@
 namespace vidno {
 
 enum class FilterStage : unsigned char {
-    given,     // nothing had rounded: coordinates of the scene compare as they stand
+    given,     // nothing was rounded: coordinates of the scene compare directly
     scene,     // a bound on the error of every such comparison in the scene
     operands,  // a bound on the errors of these operands
     exact      // CGAL's predicate or rationals
 };
 inline constexpr std::array<std::string_view, 4> filter_stage_names{"given", "scene", "operands", "exact"};
 
-/// Hears of each comparison what decided it, and forgets it.
+/// Receives, for each comparison, what decided it; ignores it.
 struct NoTally {
     void operator()(FilterStage) const {}
 };

@@ -1,8 +1,8 @@
-/// Filtered: decisions that are always right, at nearly the price of doubles.
+/// Filtered: decisions that are always right, at nearly the cost of doubles.
 ///
-/// The doubles decide where the bound on their error allows it; where it does not, exact arithmetic decides on what they
-/// stand for: a polygon's plane at a point, its edge at a row or at a side of a window. Nothing that was rounded
-/// decides, so nothing drifts. A trace shows the doubles.
+/// The doubles decide where the bound on their error allows it. Elsewhere exact arithmetic decides on what they represent: a
+/// polygon's plane at a point, its edge at a row or at a side of a window. No rounded value decides, so errors do not
+/// accumulate. A trace shows the doubles.
 ///
 /// Source  On the bound of the cross product: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust
 ///         geometric predicates, Discrete & Computational Geometry 18, 1997. Where it does not decide: CGAL's predicate.
@@ -22,7 +22,7 @@
 
 namespace vidno {
 
-/// `Tally` hears of each comparison what decided it.
+/// `Tally` receives, for each comparison, what decided it.
 template <class Tally>
 class FilteredBy : public PlaneDepths<FilteredPlane, Tally> {
     using Depths = PlaneDepths<FilteredPlane, Tally>;
@@ -40,7 +40,7 @@ public:
 
     void see(const Scene& scene) {
         extent_ = farthest_out(scene);
-        // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2; and some more.
+        // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2, and a margin.
         cross_error_ = 16 * extent_ * extent_ * Bounded::unit;
         Depths::expect_planes(scene.polygons.size());
     }
@@ -121,7 +121,7 @@ public:
         return outline;
     }
 
-    /// Two neighbours on an earlier side have its x or y, which one of them got when it was cut there; others are on p's edge.
+    /// Two neighbours on an earlier side have its x or y, which one of them got when it was cut there. Otherwise both are on p's edge.
     ClippedVertex meet(const ClippedVertex& p, const ClippedVertex& q, const SideCross& cp, const SideCross& cq) const {
         const double t = cp.value / (cp.value - cq.value);
         ClippedVertex found{cp.at, cp.at, p.z + (q.z - p.z) * t, p.from, p.to};
@@ -195,7 +195,7 @@ public:
         return {CGAL::to_double(exact.left), CGAL::to_double(exact.right), exact.first, exact.end};
     }
 
-    /// A vertex of the scene is where it is; an active edge's x was computed.
+    /// The x of a vertex of the scene is given, that of an active edge is computed.
     template <class Z>
     int first_column(const Vertex<Given, Z>& end_point, int, int low, int end) const {
         tell(true);
@@ -244,13 +244,13 @@ protected:
     }
 
 private:
-    /// The bound of the operands decides, or exact arithmetic does.
+    /// Reports whether the bound of the operands decided, or exact arithmetic.
     void tell(bool certain) const { tell(certain ? FilterStage::operands : FilterStage::exact); }
     using Depths::tell;
 
     // ------------------------------------------------------------------------------------- by the bound
 
-    /// A bound that is not a number bounds nothing.
+    /// A bound that is NaN bounds nothing.
     static double at_most(double error) { return std::isnan(error) ? infinity : error; }
 
     static Sign sign_of(double value) { return Sign{int(value > 0) - int(value < 0)}; }
@@ -261,7 +261,7 @@ private:
         return std::nullopt;
     }
 
-    /// The least or the greatest of some values: the double to show, and between which it lies.
+    /// The least or the greatest of some values: the double to show, and the bounds between which the exact one lies.
     class Range {
     public:
         double value = 0;
@@ -297,7 +297,7 @@ private:
         return known ? Interval{v.low(), v.high()} : Interval{-infinity, infinity};
     }
 
-    /// Certain if the centres on either side of the value lie outside its bounds: never if these are not known.
+    /// Certain if the centres on either side of the value lie outside its bounds; never if the bounds are unknown.
     static std::optional<int> certain_first(const auto& v, int low, int end) {
         const int first = machine_.first_centre(v.value, low, end);
         const bool certain = (first == low || first - 0.5 < v.low()) && (first == end || v.high() <= first + 0.5);
@@ -328,7 +328,7 @@ private:
     static Vertex<Rational> exactly(const Vertex<Given>& v) { return {v.x.value, v.y.value, 0}; }
     static Vertex<Rational> exactly(const ClippedVertex& v) {
         assert(v.x.is_exact() || v.y.is_exact());
-        // A computed coordinate may be infinite or not a number: only an exact one becomes a rational.
+        // A computed coordinate may be infinite or NaN, so only an exact one becomes a rational.
         if (!v.x.is_exact()) {
             const Rational y = v.y.value;
             return {along(v.from->y, v.from->x, v.to->y, v.to->x, y), y, 0};
@@ -368,7 +368,7 @@ private:
     static Sign exact_side(const auto& edge, int x, int row) {
         return exact_orientation(edge.upper, edge.lower, Point<Given>{{x + 0.5}, {row + 0.5}});
     }
-    /// By the side of one centre: no more lie between the bounds, if these are known.
+    /// Decides by the side of one centre: if the bounds are known, no more than one lies between them.
     [[gnu::noinline]] static int exact_first_column(const auto& edge, int row, int low, int end) {
         const auto [left, right] = interval_of(edge.x);
         return first_not([&](int x) { return exact_side(edge, x, row) == Sign::positive; },

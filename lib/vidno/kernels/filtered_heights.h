@@ -1,6 +1,6 @@
 /// The kernel `filtered` for the floating horizon: a height is a double with a bound, and the segment that it belongs to.
 ///
-/// The doubles decide which of two heights is greater where the bounds allow it; else the segments do, in exact arithmetic.
+/// The doubles decide which of two heights is greater where the bounds allow it, otherwise the segments in exact arithmetic.
 #pragma once
 
 #include <cassert>
@@ -50,7 +50,7 @@ struct OnColumns<FilteredBy<Tally>> : FilteredBy<Tally> {
         return exact_.compare(a.exactly(), b.exactly());
     }
 
-    /// For display only: comparisons use the segments. Computed exactly, and rounded, where the bounds do not place it between
+    /// For display only: comparisons use the segments. It is computed exactly and rounded where the bounds do not place it between
     /// the columns, or leave a visible uncertainty.
     Point<Bounded> crossing(const Segment& segment, int column, const Height& h1, const Height& h2) const {
         const auto near = bounded_.crossing(segment, column, h1.y, h2.y);
@@ -63,7 +63,7 @@ struct OnColumns<FilteredBy<Tally>> : FilteredBy<Tally> {
 private:
     static constexpr double invisible = 0x1p-20;  // of a pixel
 
-    /// Bounded numbers for the formulas; what they compare nobody asks.
+    /// Bounded numbers for the formulas; their comparisons are not used.
     struct BoundedNumbers {
         using Number = Bounded;
         Bounded number(double given) const { return given; }

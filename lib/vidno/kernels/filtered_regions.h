@@ -1,6 +1,6 @@
-/// The kernel `filtered` for Weiler and Atherton's algorithm: a constructed number is an interval and remembers its operands.
+/// The kernel `filtered` for Weiler and Atherton's algorithm: a constructed number is an interval and keeps its operands.
 ///
-/// The interval decides a sign where it can; else the number is computed exactly. Nothing that was rounded decides.
+/// The interval decides a sign where it can, otherwise the number is computed exactly. No rounded value decides.
 #pragma once
 
 #include <CGAL/Lazy_exact_nt.h>
@@ -39,7 +39,7 @@ private:
     Lazy value_;
 };
 
-/// What OnRegions asks a kernel for, in constructed numbers.
+/// The operations that OnRegions needs, in constructed numbers.
 template <class Tally>
 struct ConstructedNumbers : FilteredBy<Tally> {
     using Number = Constructed;
@@ -49,7 +49,7 @@ struct ConstructedNumbers : FilteredBy<Tally> {
 
     Constructed number(double given) const { return given; }
 
-    /// The numbers in between are not constructed.
+    /// Intermediate results are not constructed numbers.
     Sign sign_of(const auto& formula, const auto&... values) const {
         const auto [sign, by_interval] = enclosed_sign(formula, values...);
         tell(by_interval ? FilterStage::operands : FilterStage::exact);

@@ -1,4 +1,4 @@
-/// What the kernel `filtered` computes with: beside each double stands what it is a double of.
+/// The values of the kernel `filtered`: each holds a double and what it approximates.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct FilteredPlane : ApproximatePlane {
         const auto& p = exactly();
         const auto& q = than.exactly();
         if (&p == &q) return false;
-        if (p == q) {  // shared from now on: where polygons of one plane overlap, each pixel asks
+        if (p == q) {  // shared from now on: where polygons of one plane overlap, each pixel compares them
             than.exactly_ = exactly_;
             return false;
         }
@@ -50,7 +50,7 @@ private:
         return *exactly_;
     }
 
-    mutable std::shared_ptr<const Exactly> exactly_;  // found out when first asked for
+    mutable std::shared_ptr<const Exactly> exactly_;  // computed when first needed
 };
 
 struct FilteredCross {

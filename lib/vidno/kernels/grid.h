@@ -1,10 +1,10 @@
-/// Grid: decisions that are always right for a scene whose coordinates lie on a grid, without exact arithmetic: what
-/// hardware does.
+/// Grid: decisions that are always right for a scene whose coordinates lie on a grid, without exact arithmetic, as in graphics
+/// hardware.
 ///
-/// x and y are whole multiples of 2^-K pixel, z of 2^-24 (snap.h makes a scene so). The coordinates are whole numbers, so
-/// few of them across that a double holds their cross products as they are, and 128 bits the comparison of two depths.
-/// What takes a division, an edge on a row or a depth, doubles decide where the bound on their error allows it, and else
-/// these whole numbers.
+/// x and y are whole multiples of 2^-K pixel, z of 2^-24 (snap.h makes such a scene). So the coordinates are whole numbers, small
+/// enough that a double holds their cross products exactly, and 128 bits the comparison of two depths. Doubles decide the
+/// comparisons that need a division (an edge on a row, a depth) where the bound on their error allows it, otherwise the whole
+/// numbers decide.
 ///
 /// Numbers  The scene is W < 2^24 grid steps across. A cross product is at most 2 W^2 < 2^49. A depth is N / c with
 ///          |c| <= 2 W^2, twice the polygon's area, and |N| <= W^2 (2^25 + 2^27), so |N c'| < 2^125.
@@ -28,7 +28,7 @@ inline constexpr int finest_grid = 20;        // the greatest K
 inline constexpr int grid_depth_bits = 24;    // z is a multiple of 2^-24
 inline constexpr double grid_width = 0x1p24;  // a scene has fewer steps across
 
-/// Where the coordinates of a scene begin, and the steps of its grid.
+/// The origin of a scene's coordinates, and the steps of its grid.
 struct GridFrame {
     double x = 0, y = 0;
     double steps = 1;  // in a pixel
@@ -81,7 +81,7 @@ public:
         frame_.x = scene.area.x;
         frame_.y = scene.area.y;
         farthest_ = farthest_out(scene);
-        // The error of an edge's x: one roundoff for each row stepped, of numbers no farther out than this.
+        // The error of an edge's x: one roundoff for each row stepped, of numbers no larger than this.
         column_error_ = (scene.area.height + 8) * farthest_ * 0x1p-50;
         expect_planes(scene.polygons.size());
     }
@@ -120,7 +120,7 @@ public:
         plane.x_slope = double(plane.x_factor) * scale;
         plane.y_slope = double(plane.y_factor) * scale;
         plane.at_origin = v[0].z - plane.x_slope * v[0].x - plane.y_slope * v[0].y;
-        // Some sixteen roundoffs, of the sum of the terms.
+        // About sixteen roundoffs of the sum of the terms.
         plane.error = (1 + (std::abs(plane.x_slope) + std::abs(plane.y_slope)) * farthest_) * 0x1p-48;
         return keep(plane, v);
     }
@@ -161,7 +161,7 @@ public:
         return {machine_.cross(pivot, a, b), same_way ? beyond : -beyond, vertical, at};
     }
 
-    /// Two neighbours with the same x or y are on an earlier side, or on an upright or level edge; others are on p's edge.
+    /// Two neighbours with the same x or y are on an earlier side, or on a vertical or level edge. Otherwise both are on p's edge.
     GridVertex meet(const GridVertex& p, const GridVertex& q, const SideCross& cp, const SideCross& cq) const {
         const double z = p.z + (q.z - p.z) * (cp.value / (cp.value - cq.value));
         const auto& from = *p.from;
@@ -260,12 +260,12 @@ private:
                 steps(v.z - from.z, std::ldexp(1, grid_depth_bits))};
     }
 
-    /// The x of the line through two vertices, not on one level, at a y: as computed.
+    /// The computed x, at a given y, of the line through two vertices with different y.
     static double x_at(const auto& from, const auto& to, double y) {
         return from.x + (y - from.y) * (to.x - from.x) / (to.y - from.y);
     }
 
-    /// The sign of X - x, where X is the line's x at y; both are on the grid.
+    /// The sign of X - x, where X is the line's x at y; x and y are on the grid.
     Sign sign_of_line(const auto& from, const auto& to, double x, double y) const {
         const Sign turn = sign(cross(from, to, Point<double>{x, y}));
         return from.y < to.y ? turn : -turn;
@@ -281,7 +281,7 @@ private:
     }
     Sign sign_below(const Vertex<double>& v, double y) const { return sign(v.y - y); }
 
-    // A vertex that is not clipped is exact, and begins the edge to the next.
+    // A vertex that was not clipped is exact; the edge to the next vertex begins there.
     static bool x_is_exact(const GridVertex& v) { return v.x_is_exact; }
     static bool x_is_exact(const Vertex<double>&) { return true; }
     static const Vertex<double>& from_of(const GridVertex& p, const GridVertex&) { return *p.from; }
@@ -289,7 +289,7 @@ private:
     static const Vertex<double>& from_of(const Vertex<double>& p, const Vertex<double>&) { return p; }
     static const Vertex<double>& to_of(const Vertex<double>&, const Vertex<double>& q) { return q; }
 
-    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not upright (or not level).
+    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not vertical (or not level).
     bool on_upright_line(const GridVertex& p, const GridVertex& q) const {
         return (q.x_is_exact && sign_right_of(p, q.x) == Sign::zero) ||
                (p.x_is_exact && sign_right_of(q, p.x) == Sign::zero);
@@ -301,7 +301,7 @@ private:
     static double x_of_line(const GridVertex& p, const GridVertex& q) { return p.x_is_exact ? p.x : q.x; }
     static double x_of_line(const Vertex<double>& p, const Vertex<double>&) { return p.x; }
 
-    // What the double says is off by one at most: the edge decides.
+    // The answer of the double is off by at most one; the edge decides.
     int first_row(const auto& v, int low, int end) const {
         int row = first_centre(v.y, low, end);
         while (row > low && sign_below(v, centre(row - 1)) != Sign::positive) --row;
@@ -315,7 +315,7 @@ private:
         return row;
     }
 
-    /// How many centres of low <= i < end lie left of x, if its error leaves no doubt; else -1. Then none is at x.
+    /// How many centres of low <= i < end lie left of x, if its error leaves no doubt, so that none is at x; otherwise -1.
     int surely_left(double x, int low, int end) const {
         const double pixels = x - (low + 0.5);
         if (pixels < -column_error_) return 0;
@@ -352,7 +352,7 @@ private:
 
     bool surely_apart(double ax, double bx) const { return std::abs(ax - bx) > 2 * column_error_; }
 
-    /// The sign of A - B, where these are the two edges' x on the row.
+    /// The sign of A - B, where A and B are the x of the two edges on the row.
     [[gnu::noinline]] Sign compared_at(const auto& a, const auto& b, int row) const {
         const auto times_height = [&](const auto& edge, std::int64_t height) {
             const auto [upper, lower] = std::pair(edge.upper, edge.lower);

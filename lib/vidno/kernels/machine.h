@@ -1,4 +1,4 @@
-/// The machine's own numbers: IEEE binary32 and binary64, decisions as they fall.
+/// The machine's own numbers, IEEE binary32 and binary64; decisions follow from the rounded values.
 #pragma once
 
 #include "number_kernel.h"

@@ -1,4 +1,4 @@
-/// NumberKernel: a kernel that computes each formula of the text as it stands, in the numbers it is given.
+/// NumberKernel: a kernel that computes each formula as the text has it, in a given number type.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Converted {
     T number(double given) const { return T(given); }
 };
 
-/// The whole number low <= i < end at or next below the value, which lies in that range.
+/// The greatest whole number low <= i < end that is not above the value, which lies in that range.
 template <class T>
 int whole_part(const T& value, int low, int end) {
     if constexpr (std::numeric_limits<T>::has_infinity) {
@@ -37,7 +37,7 @@ int whole_part(const T& value, int low, int end) {
     }
 }
 
-/// `Entry` is where numbers come from; a kernel whose numbers know more than their value has one of its own.
+/// `Entry` converts coordinates to numbers. A kernel whose numbers hold more than their value has its own.
 template <class T, class Entry = Converted<T>>
 struct NumberKernel : Entry {
     using Entry::number;
@@ -48,7 +48,7 @@ struct NumberKernel : Entry {
     using Outline = std::vector<Vertex<T>>;
 
     static constexpr bool has_infinity = std::numeric_limits<T>::has_infinity;
-    /// Without rounding the centre of every pixel that a scene may have.
+    /// Whether the centre of every pixel that a scene may have is held without rounding.
     static constexpr bool holds_centres = std::is_same_v<T, double>;
 
     /// Where the numbers have no infinity, "no polygon yet" is the empty depth: it compares below every other.
@@ -175,8 +175,8 @@ struct NumberKernel : Entry {
     bool same_place(const auto& a, const auto& b, int /*row*/) const { return a.x == b.x; }
     bool left_of(const auto& a, const auto& b, int /*row*/) const { return a.x < b.x || (a.x == b.x && a.dx < b.dx); }
 
-    // What only the printed text asks for: division by what may be zero, equality of rounded values, floor(v + 1/2), and
-    // the pixel that holds one.
+    // Used only by the printed text: division by a number that may be zero, equality of rounded values, floor(v + 1/2), and the
+    // pixel that holds a number.
 
     /// Where the numbers have no infinity, b = 0 throws DivisionByZero.
     T divide(const T& a, const T& b) const {

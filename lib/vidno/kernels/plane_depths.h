@@ -1,7 +1,7 @@
-/// PlaneDepths: depths that know whose they are, for kernels that are always right.
+/// PlaneDepths: depths that refer to their planes, for kernels that are always right.
 ///
-/// A depth is a double and the plane that it belongs to. Doubles decide which of two is nearer where the bound on their
-/// error allows it; else the planes decide exactly.
+/// A depth is a double and the plane that it belongs to. Doubles decide which of two depths is nearer where the bound on their
+/// error allows it, otherwise the planes decide exactly.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ inline double farthest_out(const Scene& scene) {
     return farthest;
 }
 
-/// `Plane` is an ApproximatePlane that says of another one, exactly, `plane.exactly_nearer(than, x, y)`. `Tally` hears of
-/// each comparison what decided it; it is passed by value and may hold a pointer.
+/// `Plane` is an ApproximatePlane with an exact comparison, `plane.exactly_nearer(than, x, y)`. `Tally` receives, for each
+/// comparison, what decided it; it is passed by value and may hold a pointer.
 template <class Plane, class Tally>
 class PlaneDepths {
 public:
@@ -105,7 +105,7 @@ public:
     Stepped to_step(double, const Plane& plane, Pixel from) const { return {planes_[plane.number], from}; }
     const Stepped& to_store(const Stepped& z) const { return z; }
 
-    /// By the cell alone if its bound allows it.
+    /// The cell alone decides if its bound allows it.
     bool nearer(const Stepped& z, const auto& cell, Pixel at) const {
         const float difference = z.about() - cell.about();
         if (std::abs(difference) > cell_error) {
@@ -115,8 +115,8 @@ public:
         return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
     }
 
-    /// Whether the depth is nearer than the cells at `block` pixels of a row from `first` on, where z is: nothing unless the cells alone
-    /// give one answer for all. The depth is no sum of steps, so the compiler compares several pixels at a time.
+    /// Whether the depth is nearer than the cells at `block` pixels of a row, beginning at `first`, the pixel of z. Gives nothing unless
+    /// the cells alone give one answer for all. Since the depth is not a sum of steps, the compiler compares several pixels at a time.
     static constexpr int block = 8;
     std::optional<bool> nearer(const Stepped& z, const auto& row,
                                int first) const requires std::is_same_v<Tally, NoTally> {
@@ -145,7 +145,7 @@ protected:
     void tell(FilterStage stage) const { tally_(stage); }
 
 private:
-    // Where it is inlined, GCC unrolls the loop before it can vectorize it.
+    // If this is inlined, GCC unrolls the loop before it can vectorize it.
     [[gnu::noinline]] static std::optional<bool> one_answer(const Stepped& z, const float* cells) {
         int above = 0, below = 0;
         for (int i = 0; i < block; ++i) {
@@ -158,7 +158,7 @@ private:
         return std::nullopt;
     }
 
-    // Numbers, so that they stay in registers where this is not called.
+    // Takes x and y, not a Pixel, so that they stay in registers where this is not called.
     [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
         const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
         return nearer(z(plane), z(than), Pixel{x, y});
@@ -176,18 +176,18 @@ private:
     /// As a float, stepped by at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th
     /// of this.
     static constexpr float cell_error = 0x1p-18F;
-    /// For planes that do not fit cells: it compares as neither more nor less.
+    /// For planes that do not fit cells: NaN is neither greater nor less.
     static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
     std::vector<Plane> planes_;  // by number
     [[no_unique_address]] Tally tally_;
 };
 
-/// Which plane each pixel shows, and about how far.
+/// The plane that each pixel shows, and its approximate depth.
 template <class Plane, class Tally>
 class PlaneDepths<Plane, Tally>::DepthBuffer {
 public:
-    /// What a pixel shows. Both together take no more memory than a double.
+    /// The plane and depth of a pixel. Together they take no more memory than a double.
     class Cell {
     public:
         Cell(float& about, std::uint32_t& plane, const Plane* planes, Pixel at)

@@ -1,10 +1,10 @@
 /// BoundaryOutside: points on the outline count as outside.
 ///
-/// Believed   that a cross product of 0 is neither on the left nor on the right, so not inside; that a line shows what
-///            lies strictly between its ends.
+/// Believed   that a point with a cross product of 0 is neither on the left nor on the right, so not inside; that a line
+///            shows what lies strictly between its ends.
 /// Goes wrong a point on the edge that two polygons share belongs to neither.
-/// Seen       where a shared edge passes through the centre of a pixel: the background shows. In Warnock's algorithm the
-///            outline of a polygon alone in its window is drawn by FillPolygon, which has it right.
+/// Seen       where a shared edge passes through the centre of a pixel: the background shows. In Warnock's algorithm
+///            FillPolygon draws the outline of a polygon alone in its window, and is right.
 #pragma once
 
 #include "../corrected.h"
@@ -14,7 +14,7 @@ namespace vidno::mistakes {
 struct BoundaryOutside : Corrected {
     static constexpr std::string_view name = "boundary-outside";
 
-    /// S3: the sign 0 is a sign that differs.
+    /// S3: the sign 0 differs from the others.
     static bool surround_test(auto& run, const auto& point, const auto& polygon) {
         using enum Line;
         auto& trace = run.trace;
@@ -33,7 +33,7 @@ struct BoundaryOutside : Corrected {
         return true;
     }
 
-    /// L4: without the ends. The row of the polygon's highest or lowest point is outline.
+    /// L4: without the ends. The row of the polygon's highest or lowest point belongs to the outline.
     static std::pair<int, int> columns_shown(const auto& run, int row, const auto& left, const auto& right,
                                              const auto& polygon) {
         const auto& kernel = run.kernel;

@@ -1,9 +1,9 @@
 /// DepthsNotCleared: Z is not cleared.
 ///
-/// Believed   that a new array is ready for use. In C++ its numbers are 0, if they are anything; the depths of a frame
-///            before, which another program would find there, this one does not have.
-/// Goes wrong a depth must be greater than 0 to be stored in a cell that nothing has been stored in yet.
-/// Seen       where a polygon lies at z = 0 or behind, with nothing before it: the background shows.
+/// Believed   that a new array is ready for use. In C++ its numbers are 0 or undefined. Another program would find the
+///            depths of the previous frame there; this one has no previous frame.
+/// Goes wrong a depth must be greater than 0 to be stored in a cell where nothing has been stored yet.
+/// Seen       where a polygon lies at z = 0 or behind, with nothing in front of it: the background shows.
 #pragma once
 
 #include "../corrected.h"

@@ -2,7 +2,7 @@
 ///
 /// Believed   that an edge meets a window if the trial function has both signs at its corners.
 /// Goes wrong the line passes through the window, and the edge ends before it.
-/// Seen       not in the picture: a polygon outside is taken to intersect the window, which is split for nothing.
+/// Seen       not in the picture: a polygon outside is taken to intersect the window, which is split needlessly.
 #pragma once
 
 #include "../family/family.h"

@@ -1,9 +1,9 @@
-/// OctantsNotSplit: an edge that is seen under half of a full angle is not split.
+/// OctantsNotSplit: an edge that is seen under half of a full turn is not split.
 ///
 /// Believed   that the numbers of its ends' octants tell the angle of every edge.
-/// Goes wrong between octants k and k + 4 the way is as long on either side of the window: the difference is the same, whichever
+/// Goes wrong from octant k to k + 4 both ways around the window are equally long: the difference is the same, whichever way
 ///            the edge takes.
-/// Seen       where a polygon lies around a corner of a window, outside of it: it is taken to surround the window, and may show
+/// Seen       where a polygon lies around a corner of a window, outside it: it is taken to surround the window, and may show
 ///            there; or the other way round.
 #pragma once
 

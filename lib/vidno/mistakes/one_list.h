@@ -1,8 +1,8 @@
 /// OneList: all parts of a window share one list.
 ///
-/// Believed   that a part, given the list of its parent, has it for itself; what is copied is a pointer or a reference.
-/// Goes wrong what one part removes in PW3, and marks in PW8, its brothers find removed and marked.
-/// Seen       where a polygon lies beside the part that is looked at first: it is missing in those after it.
+/// Believed   that a part gets its own copy of its parent's list, while only a pointer or a reference is copied.
+/// Goes wrong a polygon that one part removes in PW3, or marks in PW8, is removed or marked for its siblings too.
+/// Seen       where a polygon lies beside the part that is examined first: it is missing in the parts after it.
 #pragma once
 
 #include "../corrected.h"

@@ -1,8 +1,8 @@
 /// SurroundKept: hasSurround is never reset.
 ///
-/// Believed   that a window which was found to be surrounded stays so.
-/// Goes wrong a polygon that comes later and is nearer, but does not surround the window, changes nothing in PW7.
-/// Seen       where a near polygon stands before a far one that comes first: it is overlooked.
+/// Believed   that a window found to be surrounded stays so.
+/// Goes wrong a later polygon that is nearer but does not surround the window changes nothing in PW7.
+/// Seen       where a near polygon lies in front of a far one that comes first: the near one is overlooked.
 #pragma once
 
 #include "../corrected.h"

@@ -1,8 +1,8 @@
 /// YFlipped: the picture is upside down.
 ///
 /// Believed   that y grows upward on the screen, as it does in the view volume: the viewport has lost its minus.
-/// Goes wrong a vertex comes to the row as far from the bottom as its own is from the top.
-/// Seen       everywhere, but in a picture that is its own mirror image.
+/// Goes wrong a vertex lands in the row that is as far from the bottom as its own is from the top.
+/// Seen       everywhere, except in a picture that is its own mirror image.
 #pragma once
 
 #include "../corrected.h"

@@ -14,7 +14,7 @@ struct InitializePolygon {
         const auto& [x1, y1, z1] = vertices[0];
         const auto& [x2, y2, z2] = vertices[1];
         const auto& [x3, y3, z3] = vertices[2];
-        // The terms as the expansion of the determinants by their first column gives them.
+        // The terms are in the order of the determinants' expansion by their first column.
         const Number a = (y2 * z3 - z2 * y3) - (y1 * z3 - z1 * y3) + (y1 * z2 - z1 * y2);
         const Number b = (z2 * x3 - x2 * z3) - (z1 * x3 - x1 * z3) + (z1 * x2 - x1 * z2);
         const Number c = (x2 * y3 - y2 * x3) - (x1 * y3 - y1 * x3) + (x1 * y2 - y1 * x2);

@@ -1,9 +1,9 @@
 /// ShowLine as printed.
 ///
-/// X-Z2  a line is rejected only if it lies left of the area and right of it: never.
-/// X-Z3  the row and column just past the area are included: a write outside is told as a fault and skipped.
+/// X-Z2  a line is rejected only if it lies both left of the area and right of it, that is, never.
+/// X-Z3  the row and column just past the area are included: a write outside is reported as a fault and skipped.
 /// X-Z4  a span of one point divides by zero.
-/// X-Z5  x starts at a fractional x1: what is painted, and at which depth, is off by up to a pixel.
+/// X-Z5  x starts at a fractional x1: the painted pixels and their depths are off by up to a pixel.
 /// X-Z7  the last polygon wins a tie.
 #pragma once
 

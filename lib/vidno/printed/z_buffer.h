@@ -1,9 +1,9 @@
 /// ZBuffer as printed: y_t and the lists are numbers, not rows.
 ///
-/// X-Z1  edges enter by rounded y but leave by unrounded y: three entries may stand in AEL, and the pairs misalign.
+/// X-Z1  edges enter by rounded y but leave by unrounded y: AEL may hold three entries, and the pairs misalign.
 /// X-Z6  y_t starts at a fractional ymin, and where the numbers are coarse y_t + 1 = y_t.
 /// X-Z7  Z starts at -1.
-/// X-Z8  the least element of an empty list is undefined; here there is no next one, plus infinity.
+/// X-Z8  the least element of an empty list is undefined; here it is plus infinity: there is no next one.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace vidno::printed {
 
-/// An edge from its upper end to its lower one, a level one from left to right.
+/// An edge from its upper end to its lower one; a level edge goes from left to right.
 template <class Number>
 struct PolygonEdge {
     int index;
@@ -31,7 +31,7 @@ struct ActiveEdge {
     Number x, z, until, dx, dz;
 };
 
-/// More scanlines or steps than the largest area has rows and pixels: the loop does not get on.
+/// More scanlines or steps than the largest area has rows and pixels: the loop makes no progress.
 inline constexpr int step_limit = 1 << 20;
 
 struct ZBuffer {

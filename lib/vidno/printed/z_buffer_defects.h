@@ -1,6 +1,6 @@
-/// ZBufferDefects: the defects of the printed Z-buffer one at a time, each as a change of the corrected text.
+/// ZBufferDefects: the defects of the printed Z-buffer, one at a time, each as a change of the corrected text.
 ///
-/// In the printed text (z_buffer.h, show_line.h) y is a number. Here a row is a row, so that a run has one defect and no other.
+/// In the printed text (z_buffer.h, show_line.h) y is a number. Here a row is a whole number, so that a run has exactly one defect.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace vidno::printed {
 
 struct ZBufferDefects : Corrected {
-    /// X-Z1: an edge enters at the row to which its y rounds, and leaves at the first whole number that is no less.
+    /// X-Z1: an edge enters at the row to which its y rounds, and leaves at the first whole number not less than its y.
     static int row_after(const auto& kernel, const auto& y, int top, int bottom) {
         return kernel.first_centre(y + kernel.number(0.5), top, bottom);
     }
@@ -37,7 +37,7 @@ struct ZBufferDefects : Corrected {
         return printed::ShowLine::slope(kernel, left, right);
     }
 
-    /// X-Z5: a line starts at its left end, or at that of the area; each step is a column further.
+    /// X-Z5: a line starts at its left end, or at that of the area; each step goes one column to the right.
     static auto start_of(const auto& run, const auto& left, int /*column*/) {
         return std::max<typename std::decay_t<decltype(run)>::Number>(left.x, run.kernel.number(run.area.x));
     }
@@ -49,7 +49,7 @@ struct ZBufferDefects : Corrected {
         return {first, std::max(first, std::min(end, run.area.right()))};
     }
 
-    /// X-Z6: the scanline begins at the polygon's ymin, in whichever part of a row that is.
+    /// X-Z6: the first scanline is at the polygon's ymin, wherever in a row that is.
     static auto scanline(const auto& kernel, const auto& polygon, int row) {
         const auto& y = polygon.box.ymin;
         return y + kernel.number(row - kernel.first_centre(y, -farthest_offset, farthest_offset));

@@ -1,8 +1,8 @@
-/// FillPolygon: the pixels of a convex polygon, row by row. A primitive in the text; traced here.
+/// FillPolygon: the pixels of a convex polygon, row by row. The text takes it for granted; here it is traced.
 ///
 /// Takes   vertices in order, perhaps none.
-/// Gives   a run for each row that has one: the pixels of the area whose centres the closed polygon holds.
-/// Time    an edge crossing for each row and edge.
+/// Gives   a run of pixels for each row that has one: those of the area whose centres the closed polygon holds.
+/// Time    one edge crossing for each row and edge.
 #pragma once
 
 #include "../run.h"

@@ -1,8 +1,8 @@
 /// InitializePolygon: the plane a x + b y + c z + d = 0 of a polygon.
 ///
 /// Source  M. E. Newell's sum over the edges (Sutherland, Sproull and Schumacker, Computing Surveys 6(1), 1974), with
-///         coordinates relative to the first vertex: unlike the first three vertices' determinants it holds when these
-///         are collinear, and weighs every vertex.
+///         coordinates relative to the first vertex. Unlike the determinants of the first three vertices it works when
+///         these are collinear, and takes every vertex into account.
 /// Takes   at least three vertices.
 /// Gives   the plane through the first vertex; c is twice the area seen by the viewer, 0 for an edge-on polygon.
 #pragma once

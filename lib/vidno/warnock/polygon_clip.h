@@ -1,9 +1,9 @@
 /// PolygonClip: the part of a convex polygon that lies in a window.
 ///
 /// Source  I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, CACM 17(1), 1974.
-/// Takes   a polygon and a window; the window's sides run in the direction in which a positive cross product lies outside.
+/// Takes   a polygon and a window; the window's sides are directed so that a positive cross product lies outside.
 /// Gives   the vertices in the polygon's order, none if the polygon lies outside; vertices on a side are kept.
-/// Time    a cross product for each vertex and side.
+/// Time    one cross product for each vertex and side.
 #pragma once
 
 #include "../run.h"

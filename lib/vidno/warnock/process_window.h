@@ -1,4 +1,4 @@
-/// ProcessWindow: which polygons show in a window, and does one of them hide all others?
+/// ProcessWindow: which polygons may show in a window, and does one of them hide all others?
 ///
 /// Takes   a window and its list of active polygons.
 /// Gives   the number of polygons left in the list; whether one that surrounds the window is nearest at all four

@@ -1,9 +1,9 @@
 /// SurroundTest: does a convex polygon hold a point?
 ///
 /// Takes   a point, and a polygon in either orientation.
-/// Gives   true if all edges that have the point on a side have it on the same one. A point of the outline counts as
-///         inside; with no such edge (a polygon without area) the answer is false.
-/// Time    one cross product an edge, up to the first that differs.
+/// Gives   true if the point is on the same side of all edges, except those whose line it is on. A point on the outline
+///         counts as inside. If the point is on the lines of all edges (a polygon without area), the answer is false.
+/// Time    one cross product for each edge, up to the first with another sign.
 #pragma once
 
 #include "../run.h"

@@ -1,9 +1,9 @@
-/// Warnock: look at a window; if what shows in it is plain, paint it, else look at its parts.
+/// Warnock: examines a window; paints it if it is clear what shows in it, otherwise examines its parts.
 ///
 /// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's form.
 /// Takes   a run with its polygons.
 /// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
-/// Time    windows grow with the length of the visible edges; a window tests each polygon of its list.
+/// Time    the number of windows grows with the length of the visible edges; a window tests each polygon of its list.
 #pragma once
 
 #include "../run.h"

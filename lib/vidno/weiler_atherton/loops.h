@@ -1,4 +1,4 @@
-/// Loops: pieces of edges that bound a region, put one after the other.
+/// Loops: joins the pieces of edges that bound a region.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace vidno {
 
 /// Each piece has its region on its positive side. Where several pieces begin at one vertex, a loop takes the sharpest turn to that
-/// side. So it follows one corner of the region, and parts that only touch there get loops of their own. Two pieces of one edge are
-/// joined where no other begins. Rounding may lose a piece; a loop that then does not close is left out, and `lost()` is called.
+/// side. So it follows one corner of the region, and parts that only touch there get separate loops. Two pieces of one edge are
+/// joined where no other begins. Rounding may lose a piece. A loop that then does not close is omitted, and `lost()` is called.
 template <WeilerAthertonKernel K, class Number = typename K::Number>
 Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& vertices,
                       const std::vector<EdgePiece<Number>>& pieces, auto&& lost) {

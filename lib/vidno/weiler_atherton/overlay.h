@@ -1,7 +1,7 @@
-/// Overlay: two regions laid on each other, their edges cut into pieces wherever they meet, along shared edges too.
+/// Overlay: two regions laid over each other, with their edges cut into pieces wherever they meet, along shared edges too.
 ///
-/// A piece then lies inside the other region, outside it, or on its outline. On what came to lie where, not on how lines cross,
-/// RegionClip builds: so a touch, a shared edge and a vertex on a vertex are cases like others.
+/// A piece then lies inside the other region, outside it, or on its outline. RegionClip depends on where the pieces lie, not on how
+/// lines cross, so a touch, a shared edge and a vertex on a vertex need no special cases.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 
 namespace vidno {
 
-/// How a piece of an edge lies to the other region. On its outline the two regions are on the same side of the piece or not.
+/// Where a piece of an edge lies in relation to the other region; on its outline, whether both regions are on the same side of it.
 enum class Lies : unsigned char { inside, outside, same_side, other_side };
 inline constexpr std::array<std::string_view, 4> lies_names{"inside", "outside", "same_side", "other_side"};
 
-/// Between two vertices of an overlay.
+/// A piece of an edge, between two vertices of an overlay.
 template <class Number>
 struct EdgePiece {
     int from, to;
@@ -30,7 +30,7 @@ struct EdgePiece {
     EdgePiece reversed() const { return {to, from, line, lies}; }
 };
 
-/// Does a region hold a point that is not on its outline? A ray to the right crosses this an odd number of times.
+/// Does a region hold a point that is not on its outline? If so, a ray to the right crosses the outline an odd number of times.
 template <WeilerAthertonKernel K>
 bool holds(const K& kernel, const Region<typename K::Number>& region, const Point<typename K::Number>& point) {
     bool inside = false;
@@ -67,9 +67,9 @@ public:
     using Piece = EdgePiece<Number>;
     using Pieces = std::vector<Piece>;
 
-    /// Where two pieces or more meet; at one place there is one.
+    /// The points where two or more pieces meet, each once.
     std::vector<LoopVertex<Number>> vertices;
-    /// In the order of the loops.
+    /// The pieces in the order of the loops.
     std::vector<Pieces> subject, clip;
 
     Overlay(const K& kernel, const Region<Number>& subject_region, const Region<Number>& clip_region)
@@ -122,7 +122,7 @@ private:
         return int(vertices.size()) - 1;
     }
 
-    /// Where they cross, and where an end of one is on the other.
+    /// Cuts two edges where they cross, and where an end of one is on the other.
     void cut(Edge& e, Edge& f) {
         const Sign e_from = kernel_.side(f.line(), *e.from_vertex);
         const Sign e_to = kernel_.side(f.line(), *e.to_vertex);
@@ -142,7 +142,7 @@ private:
         }
     }
 
-    /// The vertex is on the edge's line: is it between the ends?
+    /// Cuts an edge at a vertex on its line, if the vertex is between its ends.
     void cut_at(Edge& edge, int vertex) {
         if (vertex == edge.from || vertex == edge.to) return;
         if (order(edge.from, vertex) == order(vertex, edge.to)) edge.cuts.push_back(vertex);

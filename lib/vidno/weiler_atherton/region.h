@@ -1,7 +1,7 @@
-/// Region: a part of the plane, bounded by loops of straight edges. Outside pieces are not convex, and may have holes.
+/// Region: a part of the plane, bounded by loops of straight edges. It need not be convex, and may have holes.
 ///
-/// Every edge has the region on its positive side: for v inside, (q - p) x (v - p) > 0 near the edge from p to q. So outlines
-/// go round one way and holes the other. Loops of one region may touch each other at vertices, and nowhere else.
+/// Every edge has the region on its positive side: for v inside, (q - p) x (v - p) > 0 near the edge from p to q. So outlines and
+/// holes have opposite orientations. Loops of one region may touch each other at vertices, and nowhere else.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct SupportLine {
     Point<Number> on;
 };
 
-/// Where two edges meet. It knows their lines, so that nobody has to compute that it lies on them.
+/// The point where two edges meet. It stores their lines, so that nobody has to compute that it lies on them.
 template <class Number>
 struct LoopVertex {
     Point<Number> at;
@@ -62,7 +62,7 @@ Box<Number> box_around(const Region<Number>& region) {
     return box;
 }
 
-/// What RegionClip makes of a subject.
+/// The result of RegionClip.
 template <class Number>
 struct ClippedRegion {
     Region<Number> inside, outside;

@@ -1,9 +1,9 @@
 /// RemoveBehind: the pieces that the clip polygon does not hide.
 ///
-/// Takes   pieces that lie inside the clip polygon, and have one depth order with it everywhere (SplitPiercing); and it.
-/// Gives   those that are nearer than it, in their order. Among equal depths the first polygon of the scene is the nearer.
-/// Time    a comparison for each piece. Two planes' difference in depth at the mean of the vertices is the mean of those at
-///         the vertices, which are of one sign: it is 0 only if the planes are one.
+/// Takes   the clip polygon, and pieces that lie inside it and have the same depth order with it everywhere (SplitPiercing).
+/// Gives   the pieces that are nearer than it, in their order. At equal depths the first polygon of the scene is nearer.
+/// Time    one comparison for each piece. The difference of two planes' depths at the mean of the vertices is the mean of the
+///         differences at the vertices. These have the same sign, so it is 0 only if the planes are the same.
 #pragma once
 
 #include "weiler_atherton_run.h"

@@ -1,8 +1,8 @@
-/// SplitPiercing: polygons that pierce each other are cut along the line in which their planes meet.
+/// SplitPiercing: cuts polygons that pierce each other along the line in which their planes meet.
 ///
 /// Takes   the polygons of a scene, convex.
-/// Gives   convex pieces: where two of them overlap one is everywhere at least as near as the other.
-/// Time    a clip for each pair of polygons whose boxes overlap and which the line in which their planes meet passes through.
+/// Gives   convex pieces: where two of them overlap, one is everywhere at least as near as the other.
+/// Time    one clip for each pair of polygons whose boxes overlap and that the line in which their planes meet passes through.
 #pragma once
 
 #include <algorithm>
@@ -88,7 +88,7 @@ private:
             }
         }
 
-        // Each part goes on along the line from where the other begins to where it ends.
+        // Each part runs along the line from the beginning of the other part to its end.
         typename Run::Pieces positive, negative;
         bool before = round.back().positive;
         int enters = 0, leaves = 0;

@@ -1,7 +1,7 @@
-/// SupportLines: the lines that make all vertices of a run. Vertices point at them, so none ever moves.
+/// SupportLines: the lines whose intersections are the vertices of a run. Vertices point at them, so they stay where they are.
 ///
-/// Between two points there is one line, either way, and of the planes of two polygons one: what neighbours share is then the same
-/// in any numbers.
+/// There is one line for two points in either order, and one for the planes of two polygons. So neighbours share the same line under
+/// any arithmetic.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace vidno {
 
-/// The kernel must outlive them.
+/// The kernel must outlive this object.
 template <WeilerAthertonKernel K>
 class SupportLines {
 public:
@@ -39,7 +39,7 @@ public:
         return known->second ? &*known->second : nullptr;
     }
 
-    /// The greatest number of parts into which they can divide the area.
+    /// The greatest number of parts into which these lines can divide the area.
     double most_parts() const {
         const auto lines = double(between_.size() + of_planes_.size());
         return 1 + lines * (lines + 1) / 2;

@@ -1,8 +1,8 @@
-/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, the points where they meet, and depths there.
+/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, their intersections, and depths there.
 ///
-/// OnRegions<K> is a kernel K that does so, each formula worked out in K's own numbers; the one for `filtered` stands in
-/// kernels/filtered_regions.h. A vertex is always made from two lines of the scene, never from vertices made before: so its
-/// coordinates do not grow longer under exact numbers, nor drift under others.
+/// OnRegions<K> adapts a kernel K and computes each formula in K's own numbers; the one for `filtered` is in
+/// kernels/filtered_regions.h. A vertex is always constructed from two lines of the scene, never from constructed vertices. So its
+/// coordinates do not grow longer in exact numbers, and do not drift in rounded ones.
 #pragma once
 
 #include <concepts>
@@ -32,15 +32,15 @@ concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Numbe
     { kernel.place(0.0, 0.0) } -> std::same_as<Point<typename K::Number>>;
 
     { kernel.line_through(point, point) } -> std::same_as<SupportLine<typename K::Number>>;
-    // Where two planes meet that are not parallel: the first is nearer on its positive side. The point is one near the scene.
+    // The line where two planes that are not parallel meet; the first is nearer on its positive side. Its point is near the scene.
     { kernel.parallel(plane, plane) } -> std::same_as<bool>;
     { kernel.line_of(plane, plane, point) } -> std::same_as<SupportLine<typename K::Number>>;
 
-    // The side of a line on which a point lies; and whether it is left of an edge's line, on its row.
+    // The side of a line on which a point lies, and whether it is left of an edge's line on its row.
     { kernel.side(line, point) } -> std::same_as<Sign>;
     { kernel.side(line, vertex) } -> std::same_as<Sign>;
     { kernel.left_of(point, line) } -> std::same_as<bool>;
-    // Where two lines meet; they are not parallel.
+    // The intersection of two lines that are not parallel.
     { kernel.meet(line, line) } -> std::same_as<Point<typename K::Number>>;
     { kernel.middle(point, point) } -> std::same_as<Point<typename K::Number>>;
     { kernel.mean(region) } -> std::same_as<Point<typename K::Number>>;  // of its vertices
@@ -50,14 +50,14 @@ concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Numbe
     { kernel.first_centre(number, 0, 1) } -> std::same_as<int>;
     { kernel.last_centre(number, 0, 1) } -> std::same_as<int>;
 
-    // By x and then by y; and by y alone. Of vertices, whether they are at one place.
+    // The order of two points by x and then by y, and by y alone; whether two vertices are at one place.
     { kernel.order(point, point) } -> std::same_as<Sign>;
     { kernel.order_of_rows(point, point) } -> std::same_as<Sign>;
     { kernel.same_place(vertex, vertex) } -> std::same_as<bool>;
-    // (a - pivot) x (b - pivot), its sign: pivot, a, b.
+    // The sign of (a - pivot) x (b - pivot): pivot, a, b.
     { kernel.turn(point, point, point) } -> std::same_as<Sign>;
 
-    // Depths: positive if the first is nearer.
+    // The order of two depths: positive if the first is nearer.
     { kernel.depth(plane, point) } -> std::same_as<typename K::Number>;
     { kernel.compare(number, number) } -> std::same_as<Sign>;
 };
@@ -76,7 +76,7 @@ struct OnRegions : K {
     Vertex<Number> vertex(const glm::dvec3& v) const { return {number(v.x), number(v.y), number(v.z)}; }
     Place place(double x, double y) const { return {number(x), number(y)}; }
 
-    /// At both points the formula of `side` gives 0 in any numbers.
+    /// At both points the formula of `side` gives 0 under any arithmetic.
     Edge line_through(const Place& p, const Place& q) const { return {p.y - q.y, q.x - p.x, p}; }
 
     bool parallel(const Planes& p, const Planes& q) const {
@@ -86,7 +86,7 @@ struct OnRegions : K {
     bool parallel(const Edge& line, const Edge& other) const {
         return sign_of(cross, line.a, line.b, other.a, other.b) == Sign::zero;
     }
-    /// Its point is the one next to the given one.
+    /// Its point is the one nearest to `near`.
     Edge line_of(const Planes& p, const Planes& q, const Place& near) const {
         const auto [a, b] = slope_over(p, q);
         const Number t = (depth(p, near) - depth(q, near)) / (a * a + b * b);
@@ -150,7 +150,7 @@ struct OnRegions : K {
     Sign compare(const Number& v, const Number& w) const { return sign_of(NumberDifference{}, v, w); }
 
 protected:
-    /// Are both where the same two lines meet, which do so once.
+    /// Are both vertices the intersection of the same two lines, which meet only once?
     static bool meet_once(const auto& kernel, const LoopVertex<Number>& v, const LoopVertex<Number>& w) {
         return v.before != v.after && w.on(*v.before) && w.on(*v.after) && !kernel.parallel(*v.before, *v.after);
     }
@@ -159,8 +159,8 @@ private:
     /// The slope of one plane's depth relative to another's.
     static Place slope_over(const Planes& p, const Planes& q) { return {q.a / q.c - p.a / p.c, q.b / q.c - p.b / p.c}; }
 
-    // Formulas are functions of any numbers, so that a kernel whose numbers have bounds can evaluate one with the bounds first: its
-    // own `sign_of` does so.
+    // Formulas are generic in the number type, so that the `sign_of` of a kernel whose numbers have bounds can evaluate them with the
+    // bounds first.
 
     static constexpr auto cross = []<class T>(const T& a, const T& b, const T& c, const T& d) -> T {
         return a * d - b * c;

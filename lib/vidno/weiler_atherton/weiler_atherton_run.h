@@ -1,5 +1,6 @@
 /// WeilerAthertonRun: one execution of Weiler and Atherton's algorithm: its procedure set, kernel and visitor, the polygons, the
-/// lines that make all vertices, the visible regions so far, and the picture. What Run is to the methods that paint.
+/// lines whose intersections are the vertices, the visible regions so far, and the picture. Run is the equivalent for methods that
+/// paint.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 namespace vidno {
 
-/// A polygon of the scene: what is the same for all of its pieces.
+/// A polygon of the scene: the data that all of its pieces share.
 template <class Number>
 struct SourcePolygon {
     int index = 0;  // its place in the scene
@@ -31,7 +32,7 @@ template <class Number>
 struct PolygonPiece {
     const SourcePolygon<Number>* polygon;
     Region<Number> region;
-    bool is_ground;  // it is known to be behind all others of its list
+    bool is_ground;  // known to be behind all others of its list
     Box<Number> box;
 
     PolygonPiece(const SourcePolygon<Number>* of, Region<Number> part, bool ground = false)
@@ -118,7 +119,7 @@ struct WeilerAthertonRun {
         return parts;
     }
 
-    /// Where the box of one lies beside that of the other, or they are parts of one polygon: then they have no area in common.
+    /// Do the boxes of two pieces lie apart, or are they parts of one polygon? Then they share no area.
     bool apart(const Piece& a, const Piece& b) const {
         const auto& p = a.box;
         const auto& q = b.box;
@@ -147,8 +148,8 @@ struct WeilerAthertonRun {
         return nearer;
     }
 
-    /// Each list has area of its own, for as many lists one inside the other as there are facets; and lines divide the area into no
-    /// more parts than this. Only where rounding decides could there be more.
+    /// Throws a fault if there are more lists than exact arithmetic allows. Lists nest at most as deep as there are facets, those of one
+    /// depth share no area, and the lines divide the area into at most `most_parts` parts. Only rounding can lead to more lists.
     void count_list(Line at) {
         if (++lists_ > lines.most_parts() * double(facets.size())) {
             throw Fault{at, "more lists than the lines can divide the area into"};
@@ -171,7 +172,7 @@ struct WeilerAthertonRun {
     }
 
 private:
-    /// The vertices go round so that the region is on the positive side.
+    /// Orders the vertices so that the region is on the positive side.
     Region<Number> bounded_by(const std::vector<Point<Number>>& corners) {
         Loop<Number> loop;
         for (const auto& corner : corners) loop.push_back({corner, nullptr, nullptr});

@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// "The least of nothing": no row comes after it.
+/// The minimum of an empty list; no row comes after it.
 inline constexpr int no_row = std::numeric_limits<int>::max();
 
 /// A vertex with the depth of the plane.
@@ -22,12 +22,12 @@ template <Kernel K>
 struct PolygonEdge {
     int index;  // from vertex `index` to the next
     EdgeEnd<K> upper, lower;
-    int first_row, last_row;  // the rows whose centre it crosses; none if last < first
+    int first_row, last_row;  // the rows whose centres it crosses; none if last < first
 
     bool level() const { return upper.y == lower.y; }
 };
 
-/// An entry of AEL: an edge, where it meets the scanline, and what a row changes.
+/// An entry of AEL: an edge, where it meets the scanline, and the change from row to row.
 template <Kernel K>
 struct ActiveEdge : PolygonEdge<K> {
     typename K::Number x, dx;
@@ -42,8 +42,8 @@ struct EdgeLists {
     std::vector<ActiveEdge<K>> active_edges;  // AEL
 };
 
-/// The edge with its rows: those of the area with y1 <= centre < y2. Only at the polygon's lowest point is the end
-/// included, so that the closed outline is painted; elsewhere the next edge takes over.
+/// The edge with its rows: those of the area with y1 <= centre < y2. The end is included only at the polygon's lowest point, so
+/// that the closed outline is painted; elsewhere the next edge takes over.
 template <class Run>
 PolygonEdge<typename Run::Arithmetic> edge_between(const Run& run, const Polygon<typename Run::Arithmetic>& polygon,
                                                    int index, auto upper, auto lower) {
@@ -70,7 +70,7 @@ ActiveEdge<typename Run::Arithmetic> entry_of(const Run& run, const Polygon<type
     return {edge, x1 + rows * dx, dx, Interpolated(z1 + rows * dz), dz};
 }
 
-/// The first row by which an entry has ended.
+/// The first row that some entry no longer reaches.
 int first_end(const auto& active_edges) {
     int end = no_row;
     for (const auto& edge : active_edges) end = std::min(end, edge.last_row + 1);

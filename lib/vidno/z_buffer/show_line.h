@@ -1,8 +1,8 @@
-/// ShowLine: the pixels of one scanline between two active edges, each kept if it is nearer than what is there.
+/// ShowLine: the pixels of one scanline between two active edges, each painted if it is nearer than what is there.
 ///
 /// Takes   a row, the two ends (active edges, or the vertices of a level one), and the polygon.
 /// Gives   picture and depths changed at the pixel centres from the left end to the right, both included.
-/// Time    an addition and a comparison a pixel; under rounding the depth drifts with every step.
+/// Time    one addition and one comparison for each pixel; under rounding the depth drifts with every step.
 #pragma once
 
 #include <algorithm>
@@ -53,8 +53,8 @@ struct ShowLine {
     }
 
 private:
-    /// L5 to L7 for whole blocks of pixels, if the kernel compares a block at a time. Returns the first pixel after them; z is stepped
-    /// there.
+    /// L5 to L7 for whole blocks of pixels, if the kernel compares a block at a time. Returns the first pixel after them, to which z is
+    /// stepped.
     template <class Run>
     static int show_blocks(Run& run, auto& z, const auto& depths, const auto& pixels, int x, int end, Color color) {
         if constexpr (requires { run.set.shows(run.kernel, z, depths, x); }) {

@@ -1,10 +1,10 @@
-/// ZBuffer: paint each polygon scanline by scanline, keeping at each pixel what is nearest so far.
+/// ZBuffer: paints each polygon scanline by scanline, keeping at each pixel the nearest polygon so far.
 ///
 /// Source  E. Catmull's depth buffer with an active edge list; the course's form.
 /// Takes   a run with its polygons.
 /// Gives   the run's picture and depths: at each pixel centre the nearest polygon, the first of equally near ones.
 ///         Rows are pixel centres; a convex polygon has exactly two active edges on each of its rows.
-/// Time    an addition for each row and edge, a comparison for each covered pixel.
+/// Time    one addition for each row and edge, one comparison for each covered pixel.
 #pragma once
 
 #include "../insertion_sort.h"
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// S: the edges by rising y1; the depth of a vertex is that of the plane.
+    /// S: the edges by increasing y1; the depth of a vertex is that of the plane.
     template <class Run>
     static void sort_edges(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
                            EdgeLists<typename Run::Arithmetic>& lists) {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The options of a figure's command. Its files are named from the folder that has the lessons' folder in it.
+/// The options of a figure's command. Its files are relative to the parent of the lessons' folder.
 FigureOptions options_of(const std::string& command, const Lesson& lesson) {
     FigureOptions options = figure_options(command);
     if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
@@ -35,7 +35,7 @@ Figures figures_of(const Lesson& lesson, const Story& story, const std::string& 
     return figures;
 }
 
-/// What a run shows, as the lesson says or by the name of its scene; never by that of a file.
+/// The title of a run: the lesson's, or the name of its scene; never the name of a file.
 Json title_of(const Lesson& lesson, const LessonRun& run) {
     if (!run.english_title.empty()) return {{"en", run.english_title}, {"ru", run.russian_title}};
     const std::string name = std::visit([](const auto& scene) { return scene.name; }, scene_of(lesson, run));

@@ -1,4 +1,4 @@
-/// A lesson with its traces and figures made, for a course or a page.
+/// A lesson with its traces and figures, for a course or a page.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,20 +10,20 @@
 
 namespace vidno::cli {
 
-/// What the index of a course says of a lesson, and the files that this names.
+/// The entry of a lesson in the index of a course, and the files that the entry names.
 struct BuiltLesson {
     nlohmann::ordered_json entry;
     std::vector<std::pair<std::string, std::string>> traces;
     std::string story_name, story;
 };
 
-/// What is wrong with the lesson is added to the problems.
+/// Adds the errors of the lesson to the problems.
 BuiltLesson built_lesson(const std::string& folder, Problems& problems);
 
-/// The figures of both stories are drawn; what is wrong with them is added to the problems.
+/// Draws the figures of both stories, and adds their errors to the problems.
 void check_figures(const Lesson& lesson, Problems& problems);
 
-/// Says the problems on standard error. The exit status.
+/// Prints the problems on standard error. Returns the exit status.
 int status_after(const Problems& problems);
 
 }  // namespace vidno::cli

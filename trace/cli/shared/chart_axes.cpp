@@ -8,14 +8,14 @@ namespace vidno::cli {
 
 namespace {
 
-/// Of things that have one, in their order.
+/// The names of the items, in their order.
 std::vector<std::string> names_of(const auto& named) {
     std::vector<std::string> names;
     for (const auto& each : named) names.emplace_back(each.name);
     return names;
 }
 
-/// The place of an axis; the first one if none is named.
+/// The index of an axis; the first one if none is named.
 std::size_t place_of(const std::string& option, const std::optional<std::string>& name, const auto& axes) {
     if (!name) return 0;
     const auto names = names_of(axes);
@@ -26,7 +26,7 @@ std::size_t place_of(const std::string& option, const std::optional<std::string>
     throw Refused(option + " " + *name + ": this chart has " + there);
 }
 
-/// Of the cost and of the error.
+/// The indices of the cost and of the error.
 std::pair<std::size_t, std::size_t> places_of(const AxisOptions& axes, const auto& costs, const auto& errors) {
     return {place_of("--cost", axes.cost, costs), place_of("--error", axes.error, errors)};
 }
@@ -42,7 +42,7 @@ void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost) {
     };
     command.add_option("--cost", axes.cost, cost)
         ->check(CLI::IsMember(all(names_of(cost_axes), names_of(surface_cost_axes))));
-    command.add_option("--error", axes.error, "And from below [wrongPixels, of surfaces wrongColumns]")
+    command.add_option("--error", axes.error, "And the vertical axis [wrongPixels; for surfaces wrongColumns]")
         ->check(CLI::IsMember(all(names_of(error_axes), names_of(surface_error_axes))));
 }
 

@@ -1,4 +1,4 @@
-/// Which cost and error of a chart a drawing has.
+/// The cost and the error that a drawing of a chart shows.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,13 +15,13 @@ struct AxisOptions {
     std::optional<std::string> cost, error;
 };
 
-/// The axes of charts of scenes and of surfaces; `cost` is the help for that of costs.
+/// Adds the options for the axes of charts of scenes and of surfaces; `cost` is the help for the cost axis.
 void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost);
 
 /// Refuses axes that a chart of this kind does not have.
 void expect_axes(const AxisOptions& axes, bool of_surfaces);
 
-/// The program that draws a chart by the axes that are named; refuses those that a chart of this kind does not have.
+/// The gnuplot program that draws a chart on the named axes; refuses axes that a chart of this kind does not have.
 std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout = {},
                       bool in_russian = false);
 std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout = {},

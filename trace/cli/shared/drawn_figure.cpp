@@ -41,7 +41,7 @@ std::uint64_t whole_number(const std::string& text, const std::string& option) {
     std::uint64_t number = 0;
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, number);
-    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is no whole number");
+    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is not a whole number");
     return number;
 }
 
@@ -120,7 +120,7 @@ figures::Style style_of(const FigureOptions& options) {
     return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
 }
 
-/// Goes through a trace and draws what is wanted on the way, told of each event. Without steps, the last one.
+/// Reads a trace and draws the requested steps on the way; without steps, the last one. Calls back for each event.
 void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>& steps, const std::string& file,
                 auto&& draw, auto&& hear) {
     std::size_t next = 0;
@@ -139,7 +139,7 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
     if (next < steps.size()) refuse_step(file, steps[next], moment.state().step());
 }
 
-/// The history of the pixel that is asked about, if it is shown.
+/// The history of the chosen pixel, if it is shown.
 std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
                                                 const Area& area) {
     if (!drawing.shows(figures::Part::history)) {
@@ -195,7 +195,7 @@ struct ToldSteps {
     std::vector<std::uint64_t> steps;
 };
 
-/// A pin is a step of its lesson's run, which is traced for it.
+/// A pin is a step of its lesson's run, so the run is traced first.
 ToldSteps pinned_step(const FigureOptions& options) {
     Problems problems;
     const Lesson lesson = read_lesson(options.input, problems);
@@ -214,7 +214,7 @@ ToldSteps pinned_step(const FigureOptions& options) {
     return {LineReader::of_text(std::move(text)), {*search.step()}};
 }
 
-/// A failure is traced as it fails, and drawn where it is seen if no other step is asked for.
+/// A failure is traced as it fails, and drawn at the step where it is seen unless another step is given.
 ToldSteps failure_steps(const FigureOptions& options) {
     const Failure failure = read_failure(read_file(options.input), options.input);
     say(failure, options.input);
@@ -233,7 +233,8 @@ ToldSteps failure_steps(const FigureOptions& options) {
 
 ToldSteps told_steps(const FigureOptions& options) {
     const bool is_lesson = std::filesystem::is_directory(options.input);
-    if (is_lesson != !options.pin.empty()) refuse(options.input, "--pin is of a folder of a lesson, and needed there");
+    if (is_lesson != !options.pin.empty())
+        refuse(options.input, "--pin goes with the folder of a lesson, and is needed there");
     if (is_lesson) return pinned_step(options);
     if (options.input.ends_with(".json")) return failure_steps(options);
     LineReader lines(options.input);
@@ -266,7 +267,7 @@ std::string drawn_trace(const FigureOptions& options) {
     return std::visit(draw, opened);
 }
 
-/// What has no steps has no parts to be chosen either, and no TikZ.
+/// A drawing without steps has no parts to choose either, and no TikZ.
 void expect_no_steps(const FigureOptions& options) {
     if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
     if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
@@ -276,7 +277,7 @@ void expect_no_steps(const FigureOptions& options) {
 std::string drawn_map(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
     const NamedKernel kernel = *kernel_named(options.kernel);
-    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map do not lie on a grid");
     const SignMap map = sign_map(read_mapped_decision(text, options.input), kernel);
     const double width = options.width.empty() ? column_width : length_of(options.width);
     const figures::Style style = style_of(options);
@@ -299,7 +300,7 @@ std::string sized(std::string svg, double width) {
 
 std::string drawn_chart(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
-    if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
+    if (options.greyscale) refuse("--greyscale", "the shapes of a chart's points already differ");
     const figures::Style style = style_of(options);
     const AnyChart chart = read_chart(text, options.input);
     const double width = options.width.empty() ? page_width : length_of(options.width);
@@ -323,27 +324,28 @@ void add_figure_options(CLI::App& command, FigureOptions& options) {
             "decision to be mapped or a chart")
         ->required();
     auto* step =
-        command.add_option("--step", options.step, "After so many events [at the end; of a failure where it is seen]");
+        command.add_option("--step", options.step, "The number of events [all; for a failure, where it is seen]");
     auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
-    command.add_option("--pin", options.pin, "Of a lesson: the step of this pin")->excludes(step)->excludes(steps);
+    command.add_option("--pin", options.pin, "For a lesson: the step of this pin")->excludes(step)->excludes(steps);
     steps->excludes(step);
     command
-        .add_option("--show", options.show,
-                    "Of picture, windows (of Z-buffer the scanline, of curves the horizons, of weiler-atherton the "
-                    "lists), list (APL or AEL, or its list), listing, history")
+        .add_option(
+            "--show", options.show,
+            "Any of picture, windows (for Z-buffer the scanline, for curves the horizons, for weiler-atherton the "
+            "lists), list (APL or AEL, or its list), listing, history")
         ->capture_default_str();
-    command.add_option("--pixel", options.pixel, "X,Y: whose history is shown");
-    command.add_option("--language", options.language, "Of the words in it")
+    command.add_option("--pixel", options.pixel, "X,Y: the pixel whose history is shown");
+    command.add_option("--language", options.language, "The language of its words")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
-    command.add_option("--width", options.width, "In cm or mm [8cm; of a film strip 17cm, of a slide 14cm]");
-    command.add_option("--kernel", options.kernel, "Of a map: which arithmetic decides")
+    command.add_option("--width", options.width, "In cm or mm [8cm; for a film strip 17cm, for a slide 14cm]");
+    command.add_option("--kernel", options.kernel, "For a map: which arithmetic decides")
         ->check(a_kernel())
         ->capture_default_str();
-    add_axes(command, options.axes, "Of a chart: what it has from left to right [time]");
-    command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
-    command.add_flag("--greyscale", options.greyscale, "No colours, and textures that are darker");
-    command.add_flag("--beamer", options.beamer, "A slide with an overlay a step, .tex");
+    add_axes(command, options.axes, "For a chart: the horizontal axis [time]");
+    command.add_option("--dpi", options.dots_an_inch, "For .png")->check(CLI::Range(30, 2400))->capture_default_str();
+    command.add_flag("--greyscale", options.greyscale, "No colours, and darker textures");
+    command.add_flag("--beamer", options.beamer, "A slide with one overlay per step, .tex");
     command.add_option("-o", options.output, "The figure, .svg, .pdf, .png or .tex; - writes SVG to standard output")
         ->required();
 }

@@ -1,4 +1,4 @@
-/// A figure as the command line asks for it, in `vidno figure` and in the stories of lessons.
+/// A figure as the command line describes it, in `vidno figure` and in the stories of lessons.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,10 +24,10 @@ struct FigureOptions {
 
 void add_figure_options(CLI::App& command, FigureOptions& options);
 
-/// The options of a command `figure` as the shell takes it, "vidno figure ...". Throws Refused.
+/// Parses a command as for the shell, "vidno figure ...". Throws Refused.
 FigureOptions figure_options(const std::string& command);
 
-/// The bytes of the figure, in the format that the output's name says.
+/// The bytes of the figure, in the format given by the output's name.
 std::string drawn_figure(const FigureOptions& options);
 
 }  // namespace vidno::cli

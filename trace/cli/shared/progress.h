@@ -1,4 +1,4 @@
-/// Progress: what goes on, on a terminal; nothing anywhere else.
+/// Progress: reports progress on a terminal, and nothing elsewhere.
 #pragma once
 
 #include <unistd.h>
@@ -17,14 +17,14 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// What is being done where nothing is counted.
+    /// Names the current work where nothing is counted.
     void say(const std::string& text) {
         if (!on_) return;
         shown_ = true;
         std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
     }
 
-    /// Before anything else is written to the terminal.
+    /// Clears the line; call it before anything else is written to the terminal.
     void clear() {
         if (shown_) std::fputs("\r\x1b[K", stderr);
         shown_ = false;
@@ -34,7 +34,7 @@ public:
         if (on_ && is_time()) say(std::to_string(count) + " " + what_);
     }
 
-    /// So many of so many, and how long the rest takes if it goes on like that.
+    /// "N of M", and the estimated time for the rest.
     void show(unsigned long long count, unsigned long long all) {
         if (!on_ || count == 0 || !is_time()) return;
         const std::chrono::duration<double, std::ratio<60>> minutes = last_ - start_;

@@ -19,7 +19,9 @@ CLI::Validator a_kernel() {
 
 CLI::Validator an_edition() {
     return CLI::Validator(
-        [](const std::string& name) { return edition_named(name) ? "" : name + " is no edition: see vidno methods"; },
+        [](const std::string& name) {
+            return edition_named(name) ? "" : name + " is not an edition: see vidno methods";
+        },
         "");
 }
 
@@ -34,16 +36,16 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
 }
 
 void add_any_run_options(CLI::App& command, RunOptions& options) {
-    add_run_options(
-        command, options,
-        "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it fails where "
-        "the options do not say otherwise; - for standard input",
-        "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
+    add_run_options(command, options,
+                    "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it "
+                    "fails unless "
+                    "options say otherwise; - for standard input",
+                    "Which algorithm [warnock; for a surface floating-horizon]", all_methods());
 }
 
 namespace {
 
-/// Why there is no such text: the first deviation that is none of the method's.
+/// Why there is no such text: the first deviation that does not concern the method.
 Refused refused_text(Edition edition, auto&& concerns) {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const auto& methods = deviations[i].methods;
@@ -61,7 +63,7 @@ Refused refused_text(Edition edition, auto&& concerns) {
     return Refused("--edition " + name_of(edition) + ": no text of this method");
 }
 
-/// Refuses an edition that the kernel does not run, of whatever method.
+/// Refuses an edition that the kernel does not run, for any method.
 void expect_text(const NamedKernel& kernel, Edition edition) {
     const std::string refused = "--edition " + name_of(edition) + ": not under --kernel " + kernel.name();
     if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
@@ -93,7 +95,7 @@ FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surf
 void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     const std::string named_method = "--method " + std::string(method_names[std::size_t(method)]);
     if (is_warnock(method) && !kernel.choice->runs_warnock) {
-        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", since it has no Z-buffer");
     }
     if (!is_of_course(method) && !kernel.choice->runs(method, Edition::corrected)) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());

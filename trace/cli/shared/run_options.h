@@ -1,4 +1,4 @@
-/// Which run a command makes: how it is said on the command line, and what is refused.
+/// The run that a command executes: its options on the command line, and refusals.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@
 
 namespace vidno::cli {
 
-/// What is not said is that of the failure, if the file is one; else as the help of the options says.
+/// Options that are not given are taken from the failure, if the file is one; otherwise the help states the defaults.
 struct RunOptions {
     std::string scene;
     std::optional<std::string> method, kernel, edition;
@@ -23,27 +23,27 @@ struct RunOptions {
     std::string edition_name() const { return edition.value_or("corrected"); }
 };
 
-/// The names as CLI11 takes them.
+/// The names in CLI11's form.
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
-/// The methods of polygons, and that of curves.
+/// The methods for polygons, and the one for curves.
 std::vector<std::string> all_methods();
 
 CLI::Validator a_kernel();
 CLI::Validator an_edition();
 
-/// The scene, and everything of its run but the detail. `scene` and `method` are the help for these.
+/// Adds the scene and all options of its run except the detail. `scene` and `method` are their help texts.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& scene, const std::string& method,
                      const std::vector<std::string>& methods);
 /// The same where the scene may be of polygons or of curves.
 void add_any_run_options(CLI::App& command, RunOptions& options);
 
-/// The place of a name that the command line has checked.
+/// The index of a name that the command line has checked.
 std::size_t place_in(const auto& names, const std::string& name) {
     return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// Of polygons.
+/// The method for polygons.
 inline Method method_of(const RunOptions& options) {
     return Method(place_in(method_names, options.method.value_or("warnock")));
 }

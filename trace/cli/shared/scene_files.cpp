@@ -20,7 +20,7 @@ struct Read {
     std::optional<Failure> failure;
 };
 
-/// Where it is seen when it is run as it fails.
+/// Says where the failure is seen when it is run as it fails.
 void say_step(const Failure& failure, const std::string& file) {
     const SeenFailure found = seen(failure);
     std::cerr << file << ": " << (found.step ? "step " + std::to_string(*found.step) + ": " : "") << found.there.english
@@ -44,7 +44,7 @@ Read read(std::string_view text, const std::string& file) {
     return {std::move(scene), {}};
 }
 
-/// Whether nothing was said that would have a failure run otherwise than it fails.
+/// Whether no option makes a failure run differently from how it fails.
 bool are_of(const RunOptions& options, const NamedRun& run) {
     return options.method == run.method && options.kernel == run.kernel.name() && edition_of(options) == run.edition;
 }
@@ -83,7 +83,7 @@ AnyScene any_scene_for(RunOptions& options, bool says_step) {
         throw Refused(file + ": a surface, which only --method " + curves + " draws");
     }
     if (!is_of_curves && options.method == curves) {
-        throw Refused("--method " + curves + ": " + file + " is no surface, vidno-surface/1");
+        throw Refused("--method " + curves + ": " + file + " is not a surface, vidno-surface/1");
     }
     return std::move(scene);
 }

@@ -1,4 +1,4 @@
-/// Traces as files of the command line, gone through step by step; what cannot be is refused in one line.
+/// Traces as files of the command line, read step by step; an impossible event is refused in one line.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace vidno::cli {
 /// Whether a file is a trace, by its name.
 inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
 
-/// After the last event: whether the trace is of a whole run. If not, it is said on standard error.
+/// After the last event: whether the trace covers the whole run. If not, standard error says so.
 bool is_whole(const TraceFile& trace);
 
-/// Gives `take` the next event of the trace; false at the end. Throws Refused, with line and step, if it cannot follow.
+/// Passes the next event of the trace to `take`; false at the end. Throws Refused, with line and step, for an event that cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
     const auto event = trace.next();
     if (!event) return false;
@@ -27,7 +27,7 @@ bool take_next(TraceFile& trace, auto&& take) {
     return true;
 }
 
-/// For a step that the trace has not.
+/// The refusal of a step that the trace does not have.
 [[noreturn]] inline void refuse_step(const std::string& file, std::uint64_t step, std::uint64_t last) {
     throw Refused(file + ": there is no step " + std::to_string(step) + ", the last is " + std::to_string(last));
 }
