@@ -7,29 +7,23 @@ import { goTo, open, placesOf, widthOf } from './page.js';
 const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 
 describe('a comparison', () => {
-  it.each(
-    [390, 768, 1024, 1280, 1920].flatMap((width) => [
-      [width, 'en'] as const,
-      [width, 'ru'] as const,
-    ]),
-  )('clips and moves nothing at %d px in %s', async (width, language) => {
-    const viewport = { width, height: width < 500 ? 844 : 1080 };
-    const { page, faults } = await open(
-      browser,
-      `#lang=${language}&${lesson}&with=warnock.printed.double.signs`,
-      { viewport },
-    );
+  it.each(['en', 'ru'])('clips and moves nothing at any width, in %s', async (language) => {
+    const hash = `#lang=${language}&${lesson}&with=warnock.printed.double.signs`;
+    const { page, faults } = await open(browser, hash);
     await compared(page);
-    const places = new Set<string>();
-    for (const step of [0, 18, 500, 5337]) {
-      await goTo(page, step);
-      await stepsOf(page);
-      places.add(
-        await placesOf(page, 'vidno-compared-run :is(.picture, .listing, .sentence), .dock'),
-      );
-      expect(await widthOf(page)).toBe(width);
+    for (const width of [390, 768, 1024, 1280, 1920]) {
+      await page.setViewportSize({ width, height: width < 500 ? 844 : 1080 });
+      const places = new Set<string>();
+      for (const step of [0, 18, 500, 5337]) {
+        await goTo(page, step);
+        await stepsOf(page);
+        places.add(
+          await placesOf(page, 'vidno-compared-run :is(.picture, .listing, .sentence), .dock'),
+        );
+        expect(await widthOf(page)).toBe(width);
+      }
+      expect([...places], `at ${width} px`).toHaveLength(1);
     }
-    expect([...places]).toHaveLength(1);
     expect(faults).toEqual([]);
   });
 

@@ -171,18 +171,21 @@ describe('with a run of curves', () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  it.each([390, 768, 1280, 1920])('nothing is clipped or moves at %i px', async (width) => {
-    const viewport = { width, height: width < 500 ? 844 : 1080 };
-    const { page } = await openHills('#lang=ru', { viewport });
-    const places = new Set<string>();
-    for (const step of [0, 1, 60, 200, 373]) {
-      await goTo(page, step);
-      places.add(
-        await placesOf(page, 'vidno-horizon section, .dock, .listing, vidno-curve-picture'),
-      );
-      expect(await widthOf(page)).toBe(width);
-      expect(await cutOff(page, 'vidno-horizon :is(dt, th, td:nth-child(2))')).toEqual([]);
+  it('nothing is clipped or moves at any width', async () => {
+    const { page } = await openHills('#lang=ru');
+    for (const width of [390, 768, 1280, 1920]) {
+      await page.setViewportSize({ width, height: width < 500 ? 844 : 1080 });
+      const places = new Set<string>();
+      for (const step of [0, 1, 60, 200, 373]) {
+        await goTo(page, step);
+        places.add(
+          await placesOf(page, 'vidno-horizon section, .dock, .listing, vidno-curve-picture'),
+        );
+        expect(await widthOf(page)).toBe(width);
+        const cut = await cutOff(page, 'vidno-horizon :is(dt, th, td:nth-child(2))');
+        expect(cut, `at ${width} px`).toEqual([]);
+      }
+      expect([...places], `at ${width} px`).toHaveLength(1);
     }
-    expect([...places]).toHaveLength(1);
   });
 });

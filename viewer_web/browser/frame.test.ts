@@ -20,7 +20,7 @@ import type { Measured } from './timing.js';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env['VIDNO_PROGRAM'] ?? join(root, 'build/release/trace/vidno');
 
-const steps = 120;
+const steps = 60;
 /** Keys that one page gets before it is the other's turn. */
 const turn = 20;
 const viewport = { width: 1440, height: 900 };

@@ -126,24 +126,26 @@ describe('with the history of a pixel', () => {
     }
   });
 
-  it.each([390, 768, 1280, 1920])('nothing is clipped or moves at %i px', async (width) => {
-    const viewport = { width, height: width < 500 ? 844 : 1080 };
-    const { page } = await open(browser, '#lang=ru', { viewport });
+  it('nothing is clipped or moves at any width', async () => {
+    const { page } = await open(browser, '#lang=ru');
     await opened(page, 'small.jsonl', small);
     await click(page, 4, 0);
-    const places = new Set<string>();
-    for (const step of [0, 1, 60, 900, 1400]) {
-      await goTo(page, step);
-      places.add(
-        await placesOf(page, 'vidno-history .head, vidno-history .entries, .dock, .listing'),
-      );
-      expect(await widthOf(page)).toBe(width);
-      const wide = await page
-        .locator('vidno-history .entries')
-        .evaluate((list) => list.scrollWidth - list.clientWidth);
-      expect(wide).toBe(0);
+    for (const width of [390, 768, 1280, 1920]) {
+      await page.setViewportSize({ width, height: width < 500 ? 844 : 1080 });
+      const places = new Set<string>();
+      for (const step of [0, 1, 60, 900, 1400]) {
+        await goTo(page, step);
+        places.add(
+          await placesOf(page, 'vidno-history .head, vidno-history .entries, .dock, .listing'),
+        );
+        expect(await widthOf(page)).toBe(width);
+        const wide = await page
+          .locator('vidno-history .entries')
+          .evaluate((list) => list.scrollWidth - list.clientWidth);
+        expect(wide, `at ${width} px`).toBe(0);
+      }
+      expect([...places], `at ${width} px`).toHaveLength(1);
     }
-    expect([...places]).toHaveLength(1);
   });
 
   it('every target is large enough', async () => {

@@ -1,4 +1,4 @@
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -13,8 +13,24 @@ import type { Opened } from './page.js';
 const blocks =
   /<script type="application\/(?:json" id="vidno-lessons|octet-stream" data-vidno-file)[^]*?<\/script>/g;
 
-/** The page as `vidno page` makes it, with three lessons, the last without a text. */
+const folder = mkdtempSync(join(tmpdir(), 'vidno-'));
+process.once('exit', () => {
+  rmSync(folder, { recursive: true });
+});
+
+/** The pages that were written, by their lessons. */
+const written = new Map<string, string>();
+
+/** A page in a file, as `vidno page` makes it, with three lessons, the last without a text. */
 function pageOf(lesson: object): string {
+  const key = JSON.stringify(lesson);
+  const file = written.get(key) ?? join(folder, `page-${written.size}.html`);
+  if (!written.has(key)) writeFileSync(file, contentOf(lesson));
+  written.set(key, file);
+  return file;
+}
+
+function contentOf(lesson: object): string {
   const stories = { 'first.lesson.json': lesson, 'second.lesson.json': shortLesson('second') };
   const files = [
     ...['small.warnock.signs', 'small.zbuffer.signs'].map(
@@ -48,10 +64,11 @@ export async function openReader(
   options: BrowserContextOptions = {},
   lesson: object = sampleLesson(),
 ): Promise<Opened> {
-  const file = join(mkdtempSync(join(tmpdir(), 'vidno-')), 'page.html');
-  writeFileSync(file, pageOf(lesson));
-  const viewport = { width: 1440, height: 900 };
-  const opened = await openUrl(browser, pathToFileURL(file).href + hash, { viewport, ...options });
+  const url = pathToFileURL(pageOf(lesson)).href + hash;
+  const opened = await openUrl(browser, url, {
+    viewport: { width: 1440, height: 900 },
+    ...options,
+  });
   await opened.page.locator('vidno-listing').waitFor();
   // A picture that loads later scrolls the text back to its previous position.
   await opened.page.locator('vidno-reader img').evaluateAll(async (all) => {
