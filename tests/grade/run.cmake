@@ -73,7 +73,7 @@ endfunction()
 
 # On a scene whose trace is short, so that the end comes soon.
 function(must_end program words)
-    grade(${here}/${program}.cpp --seconds 2 --scenes ${student}/../05-polygon-clip/scene.json)
+    grade(${here}/${program}.cpp --seconds 1 --scenes ${student}/../05-polygon-clip/scene.json)
     must_say(${program} 1 "The program ${words}")
 endfunction()
 
@@ -164,7 +164,7 @@ grade(${here}/wrong/first_three.cpp --first)
 must_say(first_three 1 "It behaves like the defect X-W6 of the printed text")
 
 must_end(crash "crashed (SIGSEGV): it reached for memory")
-must_end(endless_loop "did not end within 2 s")
+must_end(endless_loop "did not end within 1 s")
 must_end(endless_output "")  # too long or too much, as fast as the disk is
 must_end(endless_printing "wrote more than 64 MiB")
 must_end(endless_memory "asked for more than 512 MiB of memory")

@@ -28,20 +28,7 @@ struct Exact : NumberKernel<Rational> {
     }
 
     /// "p/q" in lowest terms, q > 0.
-    static std::string fraction(const Rational& value) {
-        if constexpr (requires { value.get_str(); }) {
-            // GMP keeps a rational in lowest terms. A stream would take ten times as long.
-            std::string text = value.get_str();
-            if (text.find('/') == std::string::npos) text += "/1";
-            return text;
-        } else {
-            const auto [p, q] = parts(value);
-            const Integer divisor = CGAL::gcd(p, q);
-            std::ostringstream text;
-            text << Integer(p / divisor) << '/' << Integer(q / divisor);
-            return text.str();
-        }
-    }
+    static std::string fraction(const Rational& value) { return fraction_text(value); }
 
 private:
     using Fractions = CGAL::Fraction_traits<Rational>;
@@ -56,6 +43,22 @@ private:
             q = -q;
         }
         return {p, q};
+    }
+
+    /// A template, because the type of Rational depends on how CGAL was built.
+    static std::string fraction_text(const auto& value) {
+        if constexpr (requires { value.get_str(); }) {
+            // GMP keeps a rational in lowest terms. A stream would take ten times as long.
+            std::string text = value.get_str();
+            if (text.find('/') == std::string::npos) text += "/1";
+            return text;
+        } else {
+            const auto [p, q] = parts(value);
+            const Integer divisor = CGAL::gcd(p, q);
+            std::ostringstream text;
+            text << Integer(p / divisor) << '/' << Integer(q / divisor);
+            return text.str();
+        }
     }
 
     static Integer floor(const Rational& value) {
