@@ -210,7 +210,7 @@ Scene scene_with_copies(RandomScenes& random, int number) {
     return scene;
 }
 
-/// 1,000 scenes and their zeros under Warnock's algorithm. Judging takes longest, so it is done once for all tests.
+/// 1,000 scenes and their zeros under Warnock's algorithm, judged once.
 const std::vector<JudgedScene>& scenes_of_warnock() {
     static const std::vector<JudgedScene> scenes = [] {
         RandomScenes random(23);
@@ -282,97 +282,99 @@ TEST_CASE(
     CHECK(equal_depths > 100 / thinning);
 }
 
-TEST_CASE(
-    "On 1,000 scenes the zeros of SurroundTest are the points that lie on the line of the edge they were asked of") {
-    std::size_t zeros = 0;
-    for (const auto& judged : scenes_of_warnock()) {
-        const Scene& scene = judged.scene;
-        std::set<std::uint64_t> expected;
-        hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
-            const auto* orient = event.get_if<event::Orient>();
-            if (!orient) return;
-            const auto& v = scene.polygons[std::size_t(orient->polygon.index)].vertices;
-            const auto& p = v[std::size_t(orient->edge)];
-            const auto& q = v[(std::size_t(orient->edge) + 1) % v.size()];
-            const Rational x(orient->point.x.number), y(orient->point.y.number);
-            const Rational twice_area = (Rational(q.x) - Rational(p.x)) * (y - Rational(p.y)) -
-                                        (Rational(q.y) - Rational(p.y)) * (x - Rational(p.x));
-            if (twice_area == 0) expected.insert(step);
-        });
-        CHECK(judged.steps(Procedure::surround_test, Coincidence::point_on_line) == expected);
-        zeros += expected.size();
-    }
-    CHECK(zeros > 1000 / thinning);
-}
-
-TEST_CASE("On 1,000 scenes the zeros of PolygonClip are the vertices that lie on the side at which they are clipped") {
-    std::size_t zeros = 0;
-    for (const auto& judged : scenes_of_warnock()) {
-        const Scene& scene = judged.scene;
-        std::set<std::uint64_t> expected;
-        std::optional<Clipped> clipped;
-        hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
-            if (const auto* begin = event.get_if<event::ClipBegin>()) {
-                clipped.emplace(scene.polygons[std::size_t(begin->polygon.index)], begin->window);
-            }
-            if (event.get_if<event::ClipSide>()) clipped->begin_side();
-            if (event.get_if<event::ClipSign>() && clipped->next_is_on_side()) expected.insert(step);
-        });
-        CHECK(judged.steps(Procedure::polygon_clip, Coincidence::point_on_line) == expected);
-        zeros += expected.size();
-    }
-    CHECK(zeros > 500 / thinning);
-}
-
-TEST_CASE("On 1,000 scenes the equal depths at a window's corners are those of the polygons' planes there") {
-    std::size_t zeros = 0;
-    for (const auto& judged : scenes_of_warnock()) {
-        const Scene& scene = judged.scene;
-        if (!all_planar(scene)) continue;
-        std::set<std::uint64_t> expected;
-        Window window;
-        std::array<std::optional<Rational>, 4> nearest;
-        hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
-            if (const auto* pop = event.get_if<event::Pop>()) window = pop->window;
-            if (event.get_if<event::Corners>()) nearest.fill(std::nullopt);
-            const auto* compare = event.get_if<event::Compare>();
-            if (!compare || !compare->corner) return;
-            // lb, lt, rb, rt: "b" is the least y of the window.
-            const auto corner = std::size_t(*compare->corner);
-            const Rational x(corner < 2 ? window.x : window.right());
-            const Rational y(corner % 2 == 0 ? window.y : window.bottom());
-            const Rational z = InRationals::depth(scene.polygons[std::size_t(compare->polygon.index)], x, y);
-            auto& there = nearest[corner];
-            if (there && z == *there) expected.insert(step);
-            if (!there || z > *there) there = z;
-        });
-        CHECK(judged.steps(Procedure::process_window, Coincidence::equal_depths) == expected);
-        zeros += expected.size();
-    }
-    CHECK(zeros > 1000 / thinning);
-}
-
-TEST_CASE("On 1,000 scenes the equal depths of PointColor are those that the picture rule has at its pixels") {
-    std::size_t zeros = 0;
-    for (const auto& judged : scenes_of_warnock()) {
-        const Scene& scene = judged.scene;
-        if (!all_planar(scene)) continue;
-        std::set<PolygonsAtPixel> expected, listed;
-        hear_run(scene, Method::warnock, [&](std::uint64_t, const EventView& event) {
-            const auto* color = event.get_if<event::PointColor>();
-            if (!color) return;
-            const auto pixel = [](const Value& centre) { return int(std::floor(centre.number)); };
-            add_ties(scene, pixel(color->point.x), pixel(color->point.y), expected);
-        });
-        for (const auto& zero : judged.zeros) {
-            if (!zero.is(Procedure::point_color, Coincidence::equal_depths)) continue;
-            REQUIRE(zero.polygons.size() == 2);
-            listed.emplace(zero.polygons[0].index, zero.polygons[1].index, zero.pixels.x, zero.pixels.y);
+// One test, because judging the scenes takes longest.
+TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the scene") {
+    SUBCASE("of SurroundTest: the points that lie on the line of the edge in question") {
+        std::size_t zeros = 0;
+        for (const auto& judged : scenes_of_warnock()) {
+            const Scene& scene = judged.scene;
+            std::set<std::uint64_t> expected;
+            hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
+                const auto* orient = event.get_if<event::Orient>();
+                if (!orient) return;
+                const auto& v = scene.polygons[std::size_t(orient->polygon.index)].vertices;
+                const auto& p = v[std::size_t(orient->edge)];
+                const auto& q = v[(std::size_t(orient->edge) + 1) % v.size()];
+                const Rational x(orient->point.x.number), y(orient->point.y.number);
+                const Rational twice_area = (Rational(q.x) - Rational(p.x)) * (y - Rational(p.y)) -
+                                            (Rational(q.y) - Rational(p.y)) * (x - Rational(p.x));
+                if (twice_area == 0) expected.insert(step);
+            });
+            CHECK(judged.steps(Procedure::surround_test, Coincidence::point_on_line) == expected);
+            zeros += expected.size();
         }
-        CHECK(listed == expected);
-        zeros += expected.size();
+        CHECK(zeros > 1000 / thinning);
     }
-    CHECK(zeros > 1000 / thinning);
+
+    SUBCASE("of PolygonClip: the vertices that lie on the side at which they are clipped") {
+        std::size_t zeros = 0;
+        for (const auto& judged : scenes_of_warnock()) {
+            const Scene& scene = judged.scene;
+            std::set<std::uint64_t> expected;
+            std::optional<Clipped> clipped;
+            hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
+                if (const auto* begin = event.get_if<event::ClipBegin>()) {
+                    clipped.emplace(scene.polygons[std::size_t(begin->polygon.index)], begin->window);
+                }
+                if (event.get_if<event::ClipSide>()) clipped->begin_side();
+                if (event.get_if<event::ClipSign>() && clipped->next_is_on_side()) expected.insert(step);
+            });
+            CHECK(judged.steps(Procedure::polygon_clip, Coincidence::point_on_line) == expected);
+            zeros += expected.size();
+        }
+        CHECK(zeros > 500 / thinning);
+    }
+
+    SUBCASE("of ProcessWindow: the equal depths of the polygons' planes at a window's corners") {
+        std::size_t zeros = 0;
+        for (const auto& judged : scenes_of_warnock()) {
+            const Scene& scene = judged.scene;
+            if (!all_planar(scene)) continue;
+            std::set<std::uint64_t> expected;
+            Window window;
+            std::array<std::optional<Rational>, 4> nearest;
+            hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
+                if (const auto* pop = event.get_if<event::Pop>()) window = pop->window;
+                if (event.get_if<event::Corners>()) nearest.fill(std::nullopt);
+                const auto* compare = event.get_if<event::Compare>();
+                if (!compare || !compare->corner) return;
+                // lb, lt, rb, rt: "b" is the least y of the window.
+                const auto corner = std::size_t(*compare->corner);
+                const Rational x(corner < 2 ? window.x : window.right());
+                const Rational y(corner % 2 == 0 ? window.y : window.bottom());
+                const Rational z = InRationals::depth(scene.polygons[std::size_t(compare->polygon.index)], x, y);
+                auto& there = nearest[corner];
+                if (there && z == *there) expected.insert(step);
+                if (!there || z > *there) there = z;
+            });
+            CHECK(judged.steps(Procedure::process_window, Coincidence::equal_depths) == expected);
+            zeros += expected.size();
+        }
+        CHECK(zeros > 1000 / thinning);
+    }
+
+    SUBCASE("of PointColor: the equal depths that the picture rule has at its pixels") {
+        std::size_t zeros = 0;
+        for (const auto& judged : scenes_of_warnock()) {
+            const Scene& scene = judged.scene;
+            if (!all_planar(scene)) continue;
+            std::set<PolygonsAtPixel> expected, listed;
+            hear_run(scene, Method::warnock, [&](std::uint64_t, const EventView& event) {
+                const auto* color = event.get_if<event::PointColor>();
+                if (!color) return;
+                const auto pixel = [](const Value& centre) { return int(std::floor(centre.number)); };
+                add_ties(scene, pixel(color->point.x), pixel(color->point.y), expected);
+            });
+            for (const auto& zero : judged.zeros) {
+                if (!zero.is(Procedure::point_color, Coincidence::equal_depths)) continue;
+                REQUIRE(zero.polygons.size() == 2);
+                listed.emplace(zero.polygons[0].index, zero.polygons[1].index, zero.pixels.x, zero.pixels.y);
+            }
+            CHECK(listed == expected);
+            zeros += expected.size();
+        }
+        CHECK(zeros > 1000 / thinning);
+    }
 }
 
 TEST_CASE(

@@ -53,7 +53,7 @@ enum class Symptom : unsigned char {
 
 /// A claim that is false, in words.
 struct Wrong {
-    std::uint64_t step = 0;   // the number of events before it is told
+    std::uint64_t step = 0;   // the number of events before it
     std::string at;           // the label of the listing's line; empty where only the picture is wrong
     std::string told, right;  // what the trace says, and what is right
     Symptom symptom{};

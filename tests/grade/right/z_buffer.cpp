@@ -10,7 +10,7 @@ using namespace vidno::student;
 const double farthest = -2;  // behind all that is visible
 const double never = std::numeric_limits<double>::infinity();
 
-/// An edge of the polygon in hand, upper end first.
+/// An edge of the current polygon, upper end first.
 struct Edge {
     int index;
     Vertex from, to;

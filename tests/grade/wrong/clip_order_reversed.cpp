@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: the corners of the window are gone round the other way when a polygon is clipped.
+// Warnock's algorithm, wrong: the clip traverses the corners of the window in the opposite direction.
 #include "../course.h"
 
 class Picture {
