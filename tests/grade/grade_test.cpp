@@ -223,29 +223,25 @@ TEST_CASE("Judging: what is no number is no answer") {
 }
 
 TEST_CASE("Judging: the scenes for students find each usual mistake of the course's methods, and its traces name it") {
-    for (std::size_t i = 0; i < deviations.size(); ++i) {
+    for (std::size_t i = 0; i < deviations.size(); i += thinning == 1 ? 1 : 4) {
         const Edition edition{Deviation(i)};
         if (!is_mistake(edition)) continue;
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             if (!kernel_named("double")->choice->runs(method, edition)) continue;
-            for (const Detail detail : {Detail::signs}) {
-                CAPTURE(name_of(edition));
-                CAPTURE(int(method));
-                CAPTURE(int(detail));
-                std::vector<StudentRun> runs;
-                std::vector<Judgement> judgements;
-                for (const Scene& scene : scenes_to_grade()) {
-                    runs.push_back(run_of(scene, method, "double", edition, detail));
-                    judgements.push_back(judgement_of(runs.back()));
-                }
-                std::vector<Observation> observed;
-                for (std::size_t j = 0; j < runs.size(); ++j)
-                    observed.push_back({&*runs[j].header, &runs[j].events, &judgements[j], true});
-                const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
-                CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
-                const auto found = deviation_of(observed, Precision::twice);
-                CHECK(found == Deviation(i));
+            CAPTURE(name_of(edition));
+            CAPTURE(int(method));
+            std::vector<StudentRun> runs;
+            std::vector<Judgement> judgements;
+            for (const Scene& scene : scenes_to_grade()) {
+                runs.push_back(run_of(scene, method, "double", edition, Detail::signs));
+                judgements.push_back(judgement_of(runs.back()));
             }
+            std::vector<Observation> observed;
+            for (std::size_t j = 0; j < runs.size(); ++j)
+                observed.push_back({&*runs[j].header, &runs[j].events, &judgements[j], true});
+            const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+            CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
+            CHECK(deviation_of(observed, Precision::twice) == Deviation(i));
         }
     }
 }
