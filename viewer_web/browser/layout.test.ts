@@ -32,6 +32,20 @@ describe('the layout', () => {
     }
   });
 
+  it.each([390, 1024])('brings a panel into sight that is opened, at %d px', async (width) => {
+    const viewport = { width, height: 768 };
+    const { page } = await open(browser, '#lang=en', { viewport });
+    await goTo(page, 300);
+    await page.locator('input[type=number]').blur();
+    await page.keyboard.press('x');
+    // The list of decisions arrives later, and the panel grows.
+    await page.locator('vidno-findings table').waitFor();
+    const head = await page.locator('vidno-side .choice').boundingBox();
+    if (head === null) throw new Error('no panel');
+    expect(head.y).toBeGreaterThanOrEqual(0);
+    expect(head.y + head.height).toBeLessThan(viewport.height - 200);
+  });
+
   it('keeps the controls in sight where the page scrolls', async () => {
     const viewport = { width: 390, height: 844 };
     const { page } = await open(browser, '#lang=ru', { viewport });
@@ -75,6 +89,28 @@ it.each(['en', 'ru'])('on a phone every sentence fits, in %s', async (language) 
     expect(await cutSentences(page), trace).toEqual([]);
   }
 });
+
+it.each([390, 1440])(
+  'an address that names nothing gives a message in sight, at %d px',
+  async (width) => {
+    const { page } = await open(browser, '#lang=en&trace=nothing', {
+      viewport: { width, height: 844 },
+    });
+    const notice = page.locator('vidno-notice');
+    await notice.waitFor();
+    expect(await notice.innerText()).toContain('nothing');
+    const isInFront = await notice.evaluate((each) => {
+      const { left, top, width, height } = each.getBoundingClientRect();
+      const root = each.getRootNode() as ShadowRoot;
+      // At its beginning, in its middle, and at its end.
+      return [0.05, 0.5, 0.95].map((part) => {
+        const found = root.elementFromPoint(left + part * width, top + height / 2);
+        return found === each || each.contains(found);
+      });
+    });
+    expect(isInFront).toEqual([true, true, true]);
+  },
+);
 
 describe('everyone', () => {
   it.each(['light', 'dark'] as const)('can use it (WCAG 2.2 AA, %s)', async (colorScheme) => {

@@ -129,6 +129,10 @@ export const appStyle = css`
   nav > * {
     flex: none;
   }
+  /* Without a run the contents hide nothing. */
+  :host([empty]) main {
+    margin-left: calc(min(26rem, 100% - 2 * var(--pad)) + var(--pad));
+  }
   vidno-lesson-list {
     border: 0;
     padding: 0;
@@ -156,6 +160,15 @@ export const appStyle = css`
     }
     main {
       overflow: visible;
+    }
+    :host([empty]) main {
+      margin: 0 0.6rem;
+    }
+    :host([empty]) nav {
+      position: static;
+      width: auto;
+      max-height: none;
+      margin: 0 0.6rem 0.6rem;
     }
     .title {
       flex: 1;

@@ -335,8 +335,10 @@ export class AppElement extends LitElement implements Shown, Told {
     this.toggleAttribute('comparing', isCompared);
     this.toggleAttribute('reading', this.isReading);
     this.setAttribute('view', this.view);
-    const isAtContents = this.isAtContents || (trace === null && !session.isOpening);
+    const isEmpty = trace === null && !session.isOpening;
+    const isAtContents = this.isAtContents || isEmpty;
     this.toggleAttribute('contents', isAtContents);
+    this.toggleAttribute('empty', isEmpty);
     const page = texts[language].page;
     return html`
       <vidno-page-header

@@ -42,7 +42,7 @@ export class FindingsElement extends LitElement {
       td {
         padding: 0.15rem 0.4rem 0.15rem 0;
         text-align: left;
-        vertical-align: top;
+        vertical-align: baseline;
       }
       th button {
         padding: 0;

@@ -23,8 +23,16 @@ export class ZoomBarElement extends LitElement {
         display: var(--tools, block);
         visibility: var(--quiet, visible);
         position: absolute;
-        top: 0.375rem;
+        /* The numbers of the axes are at the other sides. */
+        bottom: 0.375rem;
         right: 0.375rem;
+      }
+      /* Here the picture fills its width, and the bar hides numbers instead of pixels. */
+      @container (max-width: 520px) {
+        :host {
+          top: 0.375rem;
+          bottom: auto;
+        }
       }
       div {
         display: flex;

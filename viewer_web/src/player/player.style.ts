@@ -244,6 +244,7 @@ export const playerStyle = css`
       gap: var(--gap);
       margin-top: var(--gap);
       contain: none;
+      overflow-anchor: none; /* A panel that grows does not scroll itself away. */
     }
     .beside > section {
       contain: content;

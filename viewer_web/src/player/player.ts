@@ -172,6 +172,7 @@ export class PlayerElement extends StageElement {
     else {
       this.side = this.side === side ? 'state' : side;
       this.announcer.say(news.panel(sideName(this.side, view)));
+      if (this.side === side) void this.updateComplete.then(() => this.panel.bringIntoSight());
     }
   }
 

@@ -50,6 +50,8 @@ export class SideElement extends LitElement {
         flex-wrap: wrap;
         padding: 0.15rem 0.1rem 0;
         border-bottom: 1px solid var(--line);
+        /* A part of the panel and, on a phone, the dock. */
+        scroll-margin-bottom: 20rem;
       }
       :host([bare]) .choice {
         display: none;
@@ -153,6 +155,12 @@ export class SideElement extends LitElement {
     await this.updateComplete;
     await this.outline?.updateComplete;
     this.outline?.focus();
+  }
+
+  /** On a small screen the panels are below the picture. */
+  async bringIntoSight(): Promise<void> {
+    await this.updateComplete;
+    this.renderRoot.querySelector('.choice')?.scrollIntoView({ block: 'nearest' });
   }
 
   override render(): TemplateResult {

@@ -77,6 +77,12 @@ export const travelStyle = css`
       width: 7rem;
     }
   }
+  /* Here every button has a border. */
+  @media (forced-colors: active) {
+    :host([brief]) select {
+      width: 7.5rem;
+    }
+  }
   @container (max-width: 1100px) {
     :host {
       gap: 1rem;
