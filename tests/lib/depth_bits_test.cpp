@@ -53,7 +53,7 @@ TEST_CASE("Storing keeps the order, changes nothing twice, and is off by half a 
 }
 
 TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
-    // In steps of 4 bits, (z + 1) / 2 * 15: 0.5 is at 11.25, 0.55 at 11.625 and 0.52 at 11.4; the second rounds to 12.
+    // 4 bits store the rounded (z + 1) / 2 * 15: 11.25 for 0.5, 11.4 for 0.52, and 11.625, rounded to 12, for 0.55.
     const auto shown = [](double second, int bits) {
         const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .5).quad(-1, -1, 17, 17, second).build();
         return render(Method::zbuffer, scene, DepthBits(bits)).at(8, 8);
