@@ -35,7 +35,7 @@ namespace {
 struct Entry {
     std::string name;
     json told;
-    std::optional<AnyScene> scene;  // none: a test of its own shows the failure
+    std::optional<AnyScene> scene;  // none: a separate test shows the failure
 };
 
 AnyScene scene_in(const std::string& text, const std::string& name) {

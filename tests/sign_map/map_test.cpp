@@ -160,7 +160,7 @@ TEST_CASE("Every decision of the lessons: double is wrong somewhere, filtered an
 
 TEST_CASE("To a float, or to fewer bits, all places are one") {
     // All places (1/2 + X u, 1/2 + Y u) are 1/2 in numbers of 24 bits, which lies on the line. So the answer is zero everywhere, and right
-    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: zero as well.
+    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: the sign is zero too.
     for (const auto* kernel : {"float", "bits:24", "bits:4"}) {
         CAPTURE(kernel);
         const SignMap map = map_of(lesson("kettner-2a"), kernel);

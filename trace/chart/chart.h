@@ -24,7 +24,7 @@ struct Way {
     Edition edition = Edition::corrected;
     int smallest_window = 1;
     std::optional<Knob> knob{};
-    int value = 0;  // how far it is turned
+    int value = 0;  // its setting
 };
 
 struct Cost {
@@ -50,7 +50,7 @@ struct SceneChart {
     std::string name;
     std::size_t unsteady = 0;  // pixels that an ulp can change
     std::size_t pixels = 0, polygons = 0;
-    double area = 0;  // shown in a wrong colour even by the right picture, in pixels
+    double area = 0;  // in pixels: the area that even the right picture shows in a wrong colour
     std::vector<ChartRun> runs{};
     std::string scene{};  // the scene itself, as scene_json writes it
 

@@ -36,7 +36,7 @@ enum class Deviation : unsigned char {
     x_h4,
     x_h5,
     x_h6,
-    one_list,  // the text has it as well: X-W9
+    one_list,  // the printed text makes it too: X-W9
     depths_not_cleared,
     clip_order_reversed,
     y_flipped,
