@@ -32,7 +32,7 @@ struct PlotLabels {
 /// A panel of a figure. The error axis is logarithmic; 0 has a separate place below, an infinite error one above.
 struct Plot {
     std::string title;
-    std::vector<double> errors;                // of all runs, also of those that have no such cost
+    std::vector<double> errors;                // of all runs, also those without this cost
     std::vector<std::vector<PlotMark>> marks;  // of each series
     std::vector<PlotMark> front;
     std::vector<PlotLabels> labels;

@@ -84,7 +84,7 @@ std::string chart_csv(const std::vector<SurfaceChart>& surfaces);
 
 /// The words in a chart's figure.
 struct SurfaceChartWords {
-    std::array<std::string_view, 3> costs, errors;  // by the places of the axes
+    std::array<std::string_view, 3> costs, errors;  // in the order of the axes
     std::array<std::string_view, 2> knobs;
     std::string_view as_given, printed, front;
 };
