@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The documents name files that exist: behind their links and, in CONTRIBUTING.md, between backquotes, where <name> stands for any.
+"""Checks that the files exist to which documents link or which CONTRIBUTING.md names in backquotes. There <name> stands for any name.
 
     links.py ROOT        the folder of the repository
 """

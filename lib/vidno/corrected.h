@@ -44,7 +44,7 @@ struct Corrected : CorrectedPolygons,
     /// W13: the parts into which a window is split; together they cover it.
     static std::vector<Window> parts(const Window& window) { return parts_of(window); }
 
-    /// W13: the list of a part of a window: a copy of its own.
+    /// W13: the list of a part of a window: its own copy.
     template <class List>
     static std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) {
         return std::make_shared<List>(*list);

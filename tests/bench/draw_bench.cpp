@@ -17,7 +17,7 @@ using namespace vidno;
 constexpr auto warnock = Method::warnock;
 constexpr auto zbuffer = Method::zbuffer;
 
-/// Draws N random triangles at 512 x 512, four deep, with the visitor that hears nothing.
+/// Draws N random triangles at 512 x 512, four deep, with the visitor that ignores all events.
 template <Method method>
 void draw(benchmark::State& state) {
     const Scene scene = random_triangles(int(state.range(0)), 512, 4);

@@ -133,7 +133,7 @@ TEST_CASE("Operations: a quad scanned row by row") {
     }
 }
 
-TEST_CASE("Area: of a pixel that is half covered, half is wrong") {
+TEST_CASE("Area: half of a half-covered pixel is wrong") {
     // The centres of column 8 lie on the outline, which belongs to the quad; half of each is beyond it.
     CHECK(Examiner(half_quad()).area_of_pixels() == 16 * 0.5);
     CHECK(Examiner(whole_quad()).area_of_pixels() == 0);
@@ -182,7 +182,7 @@ TEST_CASE("Smallest window: one colour for the whole area, that of its centre") 
     CHECK(found.area == 16 * 7.5);
 }
 
-TEST_CASE("Depth error: what a Z-buffer of two bits makes of 0") {
+TEST_CASE("Depth error: depth 0 in a Z-buffer of two bits") {
     // 1/3 (depth_bits_test.cpp), in ulps of 2^-52.
     const Findings found = examined(whole_quad(), Method::zbuffer, "depth:2");
     CHECK(found.depth_ulps == doctest::Approx(std::ldexp(1 / 3., 52)));
@@ -202,7 +202,7 @@ TEST_CASE("Depth error: a wall that is snapped to another place is as far off as
     CHECK(found.depth_ulps == doctest::Approx(std::ldexp(0.25 / 64, 52)).epsilon(1e-6));
 }
 
-TEST_CASE("Degenerate is what an ulp can change") {
+TEST_CASE("Unsteady pixels are those that an ulp can change") {
     CHECK(Examiner(whole_quad()).unsteady_pixels() == 0);
     CHECK_MESSAGE(Examiner(half_quad()).unsteady_pixels() == 16, "the column of centres on the outline");
     const Scene tie = SceneBuilder(area_16).quad(-1, -1, 4.2, 17, 0).quad(-1, -1, 4.2, 17, 0).build();
@@ -233,7 +233,7 @@ TEST_CASE("Cost in bits: operations times the bits of their numbers") {
     CHECK_FALSE(cost_of(Method::zbuffer, "exact").bits.has_value());
 }
 
-TEST_CASE("The front: each of its runs is cheaper or less wrong than every other, and what is not on it is beaten") {
+TEST_CASE("The front: each of its runs is cheaper or less wrong than every other, and every other run is dominated") {
     const Scene scene = SceneBuilder(area_16)
                             .polygon({{1.3, 2.1, -.5}, {14.9, 4.7, .5}, {6.2, 15.1, .2}})
                             .polygon({{13.7, 1.2, -.3}, {2.9, 12.4, .6}, {15.3, 14.8, .1}})
@@ -266,7 +266,7 @@ TEST_CASE("The front: each of its runs is cheaper or less wrong than every other
     }
 }
 
-TEST_CASE("A run that a fault ended is on no front") {
+TEST_CASE("A run that ended by a fault is on no front") {
     // The printed ShowLine divides by zero at the tip of a triangle; exact rationals have no infinity to continue with.
     const Scene scene = SceneBuilder(area_16).polygon({{2, 2, 0}, {14, 8, 0}, {4, 12, 0}}).build();
     int ended = 0;
@@ -280,7 +280,7 @@ TEST_CASE("A run that a fault ended is on no front") {
     CHECK(ended == 1);
 }
 
-TEST_CASE("JSON and CSV say the same, whatever the scene is called") {
+TEST_CASE("JSON and CSV agree for any name of the scene") {
     Scene scene = whole_quad();
     scene.name = "a \"quad\", </script>\nand more";
     const std::vector<SceneChart> charts{charted(scene)};
@@ -310,14 +310,14 @@ TEST_CASE("JSON and CSV say the same, whatever the scene is called") {
     CHECK(row.rfind("and more\",\"ordinary\",0,256,1,0.0,\"warnock\",\"float\",\"corrected\",1,,,true,", 0) == 0);
 }
 
-TEST_CASE("Input for gnuplot: no name gets out of its quotes") {
+TEST_CASE("Input for gnuplot: names stay inside their quotes") {
     Scene scene = whole_quad();
     scene.name = "it's `touch x`\nset output 'y'";
     const std::string script = chart_script({charted(scene)}, 0, 0);
     CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
 }
 
-TEST_CASE("The scenes of charts: ordinary and degenerate ones, and on each accuracy costs something") {
+TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has a cost on each") {
     struct Example {
         std::string name;
         bool degenerate;

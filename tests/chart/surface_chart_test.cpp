@@ -112,7 +112,7 @@ TEST_CASE("Chart of a surface: as printed, only columns with samples are examine
     CHECK(missed.found.wrong_columns == 1);
 }
 
-TEST_CASE("Chart of a surface: on the front nothing is cheaper and as right, and the first of equal runs counts") {
+TEST_CASE("Chart of a surface: no run is better than one on the front, and the first of equal runs counts") {
     const SurfaceChart chart = charted(peak);
     std::vector<std::pair<double, double>> front;  // samples, wrong columns
     for (const auto& run : chart.runs) {

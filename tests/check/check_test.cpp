@@ -112,14 +112,14 @@ TEST_CASE("Intersections: how far the computed one lies from the exact one") {
     CHECK(court.off == doctest::Approx(0x1p-25 / 3).epsilon(1e-12));
 }
 
-TEST_CASE("A judged number is the number: minus zero too") {
+TEST_CASE("A judged number keeps minus zero") {
     const auto negative = -RunTimeNumber(0);
     CHECK(std::signbit(negative.value()));
     CHECK(*negative.truth() == 0);
     CHECK(1 / negative.value() == -std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("After a division by what is exactly zero there is no truth") {
+TEST_CASE("After a division by an exact zero there is no truth") {
     Court court("double");
     const auto& kernel = court.kernel;
     const auto tiny = kernel.vertex({.1, .2, .3});

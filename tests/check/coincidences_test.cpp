@@ -138,7 +138,7 @@ public:
     void begin_side() {
         if (side_ >= 0) clip();
         ++side_;
-        next_ = outline_.size() - 1;  // the last vertex is asked for first, and again at the end
+        next_ = outline_.size() - 1;  // the last vertex comes first, and again at the end
     }
     bool next_is_on_side() {
         const Place& vertex = outline_.at(next_);

@@ -35,7 +35,7 @@ namespace {
 struct Entry {
     std::string name;
     json told;
-    std::optional<AnyScene> scene;  // none: a test of its own shows the failure
+    std::optional<AnyScene> scene;  // none: a separate test shows the failure
 };
 
 AnyScene scene_in(const std::string& text, const std::string& name) {
@@ -411,7 +411,7 @@ bool shows_alone(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("Failures: what the printed floating horizon has wrong shows by each of its rules alone") {
+TEST_CASE("Failures: defects of the printed floating horizon show alone") {
     CHECK(shows_alone<BelowLost>("x-h1"));
     CHECK(shows_alone<EdgeLost>("x-h1-edge"));
     CHECK(shows_alone<WrongHorizonMet>("x-h2"));

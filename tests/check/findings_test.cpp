@@ -87,7 +87,7 @@ TEST_CASE("A checked trace has the operands at each decision, and at a disagreem
     CHECK(report.procedures[1].first_wrong == std::uint64_t(before) - 1);  // less the header
 }
 
-TEST_CASE("The list has as many narrow decisions as asked for, and these are the narrowest") {
+TEST_CASE("The list has the requested number of narrow decisions, and these are the narrowest") {
     RandomScenes random(21);
     for (int i = 0; i < 40 / thinning; ++i) {
         const Scene scene = random.scene();

@@ -76,7 +76,7 @@ std::string pixel_of(const std::string& picture, const json& window, int x, int 
 
 }  // namespace
 
-TEST_CASE("Atlas: trace runs each entry as it fails, and says title, step, what is there, and remedy") {
+TEST_CASE("Atlas: trace runs each entry as it fails, and prints title, step, what is seen there, and remedy") {
     const Workplace work;
     const auto entries = entries_with_scenes();
     CHECK(entries.size() >= 52);
@@ -118,7 +118,7 @@ TEST_CASE("Atlas: render paints the pixel of each entry otherwise than the remed
     CHECK(pixels >= 35);
 }
 
-TEST_CASE("Atlas: commands that need no run of its own take the scene of an entry") {
+TEST_CASE("Atlas: commands that do not run an entry take its scene") {
     const Workplace work;
     const std::string entry = atlas + "clip-pixel.json";
     const std::string title = entry + ": An intersection that rounds shows as a wrong pixel\n";
@@ -142,7 +142,7 @@ TEST_CASE("Atlas: commands that need no run of its own take the scene of an entr
                   "the figure is of the step where it is seen");
 }
 
-TEST_CASE("Atlas: what the options say counts") {
+TEST_CASE("Atlas: options on the command line take precedence") {
     const Workplace work;
     const std::string entry = atlas + "clip-pixel.json";
     const auto fails = program("check " + entry), holds = program("check " + entry + " --kernel filtered");
@@ -168,7 +168,7 @@ TEST_CASE("Atlas: an entry that no scene can show is refused with the name of it
     CHECK(refused.text.find("no scene shows it: see the test \"Failures: a fused multiply-add") != std::string::npos);
 }
 
-TEST_CASE("Atlas: all errors in an entry of one's own are reported at once, with their places") {
+TEST_CASE("Atlas: all errors in a new entry are reported at once, with their places") {
     const Workplace work;
     const std::string file =
         work.write("own.json",

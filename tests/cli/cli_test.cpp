@@ -68,7 +68,7 @@ TEST_CASE("replay --step stops there: before the first event there is only backg
     CHECK_FALSE(work.has("b.ppm"));
 }
 
-TEST_CASE("diff: the step where two traces part") {
+TEST_CASE("diff: the step at which two traces diverge") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("a.jsonl")).status == 0);
@@ -82,7 +82,7 @@ TEST_CASE("diff: the step where two traces part") {
     CHECK(parted.text.find("\"2/1\"") != std::string::npos);
 }
 
-TEST_CASE("A trace that was cut short, is partial or lies: exit 1") {
+TEST_CASE("A trace that was cut short, is partial or has a wrong hash: exit 1") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     REQUIRE(program("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
@@ -409,7 +409,7 @@ TEST_CASE("check --list refuses a file that is neither .csv nor .jsonl") {
     CHECK_FALSE(fs::exists(work.file("list.txt")));
 }
 
-TEST_CASE("check: a constructed point more than half a pixel off is an error, and its step is said") {
+TEST_CASE("check: a constructed point more than half a pixel off is an error, and its step is printed") {
     const Workplace work;
     // The upper edge of A rises by 6 ulps from x = -5 to x = 25 and nearly lies on y = 8, the side of a window: rounding
     // decides where the two meet.
@@ -480,7 +480,7 @@ TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by chec
     CHECK(refused.text == "vidno: --edition depths-not-cleared: a mistake of --method zbuffer alone\n");
 }
 
-TEST_CASE("shrink: keeps a scene that still fails, refuses one that does not") {
+TEST_CASE("shrink: the result still fails, and a scene that does not fail is refused") {
     const Workplace work;
     const std::string clipped = VIDNO_ROOT "/lessons/05-polygon-clip/scene.json";
     const std::string smallest = work.file("smallest.json");
@@ -549,7 +549,7 @@ TEST_CASE(
     CHECK(program("render " + scene + " -o " + work.file("none.json")).status == 2);
 }
 
-TEST_CASE("need and choose: a table, and a choice whose picture is right") {
+TEST_CASE("need and choose: a table, and a choice with the right picture") {
     const std::string drifting = VIDNO_ROOT "/lessons/08-show-line/scene.json";
     const auto needed = program("need " + drifting);
     CHECK(needed.status == 0);
@@ -560,7 +560,7 @@ TEST_CASE("need and choose: a table, and a choice whose picture is right") {
     CHECK(chosen.text.find("agreed with all of its decisions") != std::string::npos);
 }
 
-TEST_CASE("chart: the name decides what is written") {
+TEST_CASE("chart: the output's name selects the format") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     REQUIRE(program("chart " + scene + " -o " + work.file("a.json")).status == 0);
@@ -574,7 +574,7 @@ TEST_CASE("chart: the name decides what is written") {
     CHECK(figure.find("operations times bits") != std::string::npos);
 }
 
-TEST_CASE("worksheet: what the built script for Node makes of a trace") {
+TEST_CASE("worksheet: the questions that the built script for Node makes about a trace") {
     const Workplace work;
     fs::create_directories(work.directory / "bin");
     fs::create_directories(work.directory / "share/vidno");
@@ -593,7 +593,7 @@ TEST_CASE("worksheet: what the built script for Node makes of a trace") {
         REQUIRE(worksheet(trace).status == 0);
         CHECK(work.read("out.xml") == "--language en --count 20" + work.read("run.jsonl"));
     }
-    SUBCASE("a trace that is cut short: the questions of what there is, and status 1") {
+    SUBCASE("a trace that is cut short: questions on the steps that it has, and status 1") {
         work.write(script, "process.stdout.write('questions')");
         const std::string whole = work.read("run.jsonl");
         CHECK(worksheet(work.write("cut.jsonl", whole.substr(0, whole.size() - 20))).status == 1);
@@ -612,7 +612,7 @@ TEST_CASE("worksheet: what the built script for Node makes of a trace") {
     }
 }
 
-TEST_CASE("page: the built page with what was given in place of its lessons") {
+TEST_CASE("page: the built page with the given content instead of its lessons") {
     const Workplace work;
     // The page that the program finds beside its own folder.
     const std::string before = R"(<html><script type="module">let a = '</body>'</script><body><p>page</p>)";
@@ -632,7 +632,7 @@ TEST_CASE("page: the built page with what was given in place of its lessons") {
     REQUIRE(program("trace " + scene + " --method zbuffer -o " + trace).status == 0);
     const std::string output = " -o " + work.file("out.html");
 
-    SUBCASE("a trace that is packed already: its bytes, as base64") {
+    SUBCASE("a trace that is already compressed: its bytes as base64") {
         work.write("share/vidno/index.html", before + lessons + library + after);
         REQUIRE(page(trace + output).status == 0);
         REQUIRE(program("trace " + scene + " --method zbuffer -o " + work.file("plain.jsonl")).status == 0);
@@ -679,7 +679,7 @@ TEST_CASE("page: the built page with what was given in place of its lessons") {
         REQUIRE(page(output).status == 0);
         CHECK(work.read("out.html") == before + lessons + library + after);
     }
-    SUBCASE("a trace that was cut short is taken as far as it goes, exit 1") {
+    SUBCASE("a trace that was cut short is read as far as it goes, exit 1") {
         work.write("share/vidno/index.html", before + lessons + library + after);
         REQUIRE(program("trace " + scene + " -o " + work.file("whole.jsonl")).status == 0);
         const std::string whole = work.read("whole.jsonl");
@@ -719,7 +719,7 @@ TEST_CASE("map: a table, a picture or counts, exit 1 if any place is answered wr
     CHECK_MESSAGE(program("map " + decision).text == wrong.text, "without a file the table alone");
 }
 
-TEST_CASE("figure: the name decides what is written, the same bytes each time") {
+TEST_CASE("figure: the output's name selects the format, and the bytes are the same each time") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     const std::string run = work.file("run.jsonl");
@@ -745,7 +745,7 @@ TEST_CASE("figure: the name decides what is written, the same bytes each time") 
     CHECK(work.read("chart.svg").find("width=\"100mm\"") != std::string::npos);
 }
 
-TEST_CASE("figure: what it cannot draw is refused in one line, and no file appears") {
+TEST_CASE("figure: an impossible figure is refused in one line, and no file appears") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     const std::string decision = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
@@ -781,7 +781,7 @@ TEST_CASE("figure: what it cannot draw is refused in one line, and no file appea
     CHECK(program("figure " + run + " --show list -o " + work.file("a.svg")).text.find("no APL") != std::string::npos);
 }
 
-TEST_CASE("Help says what there is, exit 0") {
+TEST_CASE("Help lists the commands, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
           "page --help", "map --help", "figure --help", "stability --help", "homework --help", "worksheet --help",
@@ -838,7 +838,7 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
     CHECK(choices["deviations"]["printed:x-h4"]["methods"] == nlohmann::json{"floating-horizon"});
 }
 
-TEST_CASE("stability: shards put together and a run taken up are the run in one go, byte for byte") {
+TEST_CASE("stability: merged shards and a continued run give the bytes of a single run") {
     const Workplace work;
     const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 2 ";
     const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
@@ -868,7 +868,7 @@ TEST_CASE("stability: shards put together and a run taken up are the run in one 
     CHECK(work.read("cut.jsonl") == expected);
 }
 
-TEST_CASE("stability: a campaign that is killed and called again ends as if it had not been, byte for byte") {
+TEST_CASE("stability: a campaign that is killed and continued gives the same bytes") {
     const Workplace work;
     const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 40 ";
     const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
@@ -896,7 +896,7 @@ TEST_CASE("import, then both methods paint the same picture of the mesh") {
     CHECK(work.read("a.ppm") == work.read("b.ppm"));
 }
 
-TEST_CASE("A run that a signal stops leaves no part of its file") {
+TEST_CASE("A run that a signal stops leaves no partial file") {
     // The system stops it with SIGXFSZ, number 25, when it writes beyond 512 bytes.
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);

@@ -50,7 +50,7 @@ TEST_CASE("surfaces: replay --step, and the state as JSON") {
     CHECK(program("replay " + trace + " -o " + work.file("all.jsonl")).status == 0);
 }
 
-TEST_CASE("surfaces: a trace that was changed, cut or partial is found out") {
+TEST_CASE("surfaces: a changed, truncated or partial trace is detected") {
     const Workplace work;
     const std::string surface = work.write("s.json", crossing);
     const std::string trace = work.file("run.jsonl");
@@ -66,7 +66,7 @@ TEST_CASE("surfaces: a trace that was changed, cut or partial is found out") {
     CHECK(program("replay " + trace + " -o " + work.file("a.svg")).status == 1);
 }
 
-TEST_CASE("surfaces: diff tells where editions part, check what is wrong") {
+TEST_CASE("surfaces: diff prints where editions diverge, check prints what is wrong") {
     const Workplace work;
     const std::string surface = work.write("s.json", crossing);
     const std::string right = work.file("right.jsonl"), printed = work.file("printed.jsonl");
@@ -109,7 +109,7 @@ TEST_CASE("surfaces: a function, checked, as a figure") {
     CHECK(program("figure " + trace + " --steps 100,9000 -o " + work.file("a.tex")).status == 0);
 }
 
-TEST_CASE("surfaces: what is refused, and says why") {
+TEST_CASE("surfaces: refusals and their reasons") {
     const Workplace work;
     const std::string surface = work.write("s.json", crossing);
     const std::string polygons = work.write("p.json", square);
@@ -162,7 +162,7 @@ TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes no
     CHECK_MESSAGE(work.files() == 1, "the surface");
 }
 
-TEST_CASE("surfaces: a chart turns the sampling of a function, and the name decides what is written") {
+TEST_CASE("surfaces: a chart varies the sampling of a function, and the output's name selects the format") {
     const Workplace work;
     const std::string function = work.write(
         "f.json", R"({"format":"vidno-surface/1","name":"Wave","window":{"x":0,"y":0,"width":9,"height":16},)"

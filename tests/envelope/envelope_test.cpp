@@ -66,7 +66,7 @@ void check_all_agree(const Scene& scene) {
     check_regions(scene);
 }
 
-/// Each polygon as a fan of triangles, each with a colour of its own.
+/// Each polygon as a fan of triangles, each with its own colour.
 Scene triangulated(const Scene& scene) {
     SceneBuilder builder(scene.area);
     for (const auto& polygon : scene.polygons) {

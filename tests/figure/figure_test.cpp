@@ -82,7 +82,7 @@ std::vector<Event> a_division() {
 
 }  // namespace
 
-TEST_CASE("patches: equal runs of rows that follow one another are one rectangle") {
+TEST_CASE("patches: equal runs in consecutive rows are one rectangle") {
     // r r w
     // r r r   the run of three is another one
     Picture picture({4, 7, 3, 2}, test::red);
@@ -98,7 +98,7 @@ TEST_CASE("patches: equal runs of rows that follow one another are one rectangle
     CHECK(one[0].rectangles == std::vector<PixelRectangle>{{0, 0, 5, 9}});
 }
 
-TEST_CASE("what leaves a box is cut where it leaves it") {
+TEST_CASE("lines are cut where they leave a box") {
     // From (-1, 1) to (3, 1): inside from x = 0 to x = 2.
     const Box box{0, 0, 2, 2};
     CHECK(clipped({{-1, 1}, {3, 1}}, false, box) == std::vector<Polyline>{{{0, 1}, {2, 1}}});
@@ -175,8 +175,7 @@ bool has_line(const Drawing& drawing, const Polyline& line) {
     });
 }
 
-TEST_CASE(
-    "ray crossings: the ray to the right from the window's centre, and how often the place counts that it meets") {
+TEST_CASE("ray crossings: the ray to the right from the window's centre, and the counts where it meets edges") {
     Drawing drawing{80, 80};
     draw_marks(drawing, beside_a_triangle(event::Ray{Line::CR3, {0}, 0, 2}), plane_80, {});
     CHECK_MESSAGE(has_line(drawing, {{20, 20}, {80, 20}}), "from (4, 4) to the side");
@@ -200,7 +199,7 @@ TEST_CASE("octant angles: the octants around the window, and by how many an edge
     CHECK_MESSAGE(has_line(drawing, {{40, 0}, {40, 80}}), "the line of the window's right side");
 }
 
-TEST_CASE("the list of a window: its polygons, what is known of each, and the current one") {
+TEST_CASE("the list of a window: its polygons, their known relations, and the current one") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.insert(events.end(), {event::Corners{Line::PW1, Value::minus_infinite()}, event::Count{Line::PW4, {0}, 1}});
@@ -252,7 +251,7 @@ TEST_CASE("the list of a scanline: on half a slide numbers have fewer digits, an
     CHECK(has_text(list_part(moment, {}, 80), "−0.0195"));
 }
 
-TEST_CASE("what a trace does not tell is refused") {
+TEST_CASE("parts that a trace does not contain are refused") {
     const TraceHeader header = header_of(near_before_far(), Method::warnock, Detail::windows);
     CHECK_THROWS_AS(list_part(Moment(header), {}, 80), Refused);
 }
@@ -278,7 +277,7 @@ TEST_CASE("the listing of the printed text is the printed one") {
     CHECK(has_text(listing_part(after(header, a_division()), {}, 200), "push (Wcx, Wcy, Wx, Wy, APL₀) on AW"));
 }
 
-TEST_CASE("the listing of a usual mistake has its line as it is often written") {
+TEST_CASE("the listing of a usual mistake has the mistaken line") {
     TraceHeader header = header_of(near_before_far());
     header.edition = Deviation::integer_division;
     const Moment moment = after(header, a_division());
@@ -312,7 +311,7 @@ TEST_CASE("ids never overlap, and each polygon has its own if there is room") {
     CHECK(names > 0.95 * double(polygons));  // a narrow area has no room for all
 }
 
-TEST_CASE("an id stands where no other polygon is") {
+TEST_CASE("an id stands where there is no other polygon") {
     // The middle of the far quad, (8, 8), lies under the near square from 4 to 12.
     const Scene scene = near_before_far();
     Drawing drawing{80, 80};
@@ -346,7 +345,7 @@ TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
     CHECK(entries[2].painted);
 }
 
-TEST_CASE("numbers as they are read") {
+TEST_CASE("the notation of numbers") {
     CHECK(readable(Value(-0.25)) == "−0.25");
     CHECK(readable(Value(1. / 3)) == "0.3333");
     CHECK(readable(Value(12.3456789)) == "12.35");
@@ -409,7 +408,7 @@ TEST_CASE("no line is thinner than 0.25 points") {
     }
 }
 
-TEST_CASE("SVG: well formed, no bitmap, live text, what XML cannot hold replaced") {
+TEST_CASE("SVG: well formed, no bitmap, live text, and characters that XML cannot represent are replaced") {
     Drawing drawing = strip_of_all({.language = Language::russian});
     drawing.add(Label{"a<b&\"c\"\x01", {1, 1}});
     const About about{"A < B", Language::russian};
@@ -450,7 +449,7 @@ TEST_CASE("PNG: as many dots as the size and the resolution say, the same bytes 
     CHECK(png.substr(16, 8) == std::string("\0\0\x01\x2c\0\0\x02\x58", 8));
 }
 
-TEST_CASE("TikZ: nothing is left that a font of text may lack") {
+TEST_CASE("TikZ: no character is left that a text font may lack") {
     const auto listings = nlohmann::json::parse(read_file(VIDNO_ROOT "/trace/listings/listings.json"));
     const auto expect_plain = [](const std::string& text) {
         const std::string tex = tikz_of({10, 10, {Label{text, {1, 1}}}}, {});
@@ -480,7 +479,7 @@ TEST_CASE("TikZ: nothing is left that a font of text may lack") {
     for (const double value : {-1., 1e-9, 1. / 0.}) expect_plain(readable(Value(value)));
 }
 
-TEST_CASE("TikZ: characters that TeX takes for itself are written as text") {
+TEST_CASE("TikZ: characters that are special in TeX are written as text") {
     const std::string tex = tikz_of({10, 10, {Label{"a_b{c}\\50%", {1, 1}}}}, {});
     CHECK(tex.find("a\\_b\\{c\\}\\textbackslash{}50\\%") != tex.npos);
 }

@@ -112,7 +112,7 @@ TEST_CASE("curve figure: listing, legend and flags in both languages") {
                   "in 8 cm, too");
 }
 
-TEST_CASE("curve figure: as printed, the listing is the text's") {
+TEST_CASE("curve figure: the printed edition has the printed listing") {
     FloatingHorizonHeader header = crossing_curves();
     const std::vector<Event> begun{event::Horizons{Line::FH1, Value(16), Value(0)}};
     CHECK_FALSE(
@@ -121,7 +121,7 @@ TEST_CASE("curve figure: as printed, the listing is the text's") {
     CHECK(has_text(listing_part(after(header, begun), {}, 200), "upper := 0, lower := height; Xleft, Xright := 1"));
 }
 
-TEST_CASE("curve figure: the same moment gives the same bytes, and what a run of curves has not is refused") {
+TEST_CASE("curve figure: the same moment gives the same bytes, and parts that curves lack are refused") {
     const FloatingHorizonHeader header = crossing_curves();
     const FloatingHorizonMoment moment = after(header, some_events());
     const auto svg = [&](const std::vector<Part>& parts) {

@@ -63,7 +63,7 @@ Box box_of(const Label& label) {
 
 }  // namespace
 
-TEST_CASE("worksheet: the windows of a pixel before a wall, by hand") {
+TEST_CASE("worksheet: the windows of a pixel in front of a wall, by hand") {
     const WorkedRun run(a_pixel_before_a_wall(), Method::warnock);
     const auto pages = worksheet(run, Language::english, true);
     REQUIRE(pages.size() == 2);
@@ -127,7 +127,7 @@ TEST_CASE("worksheet: the blank one is the key without the answers") {
     }
 }
 
-TEST_CASE("worksheet: no text is on another one, and all is on the paper") {
+TEST_CASE("worksheet: texts do not overlap, and all are on the paper") {
     const Box paper{10, 10, 190, 280};
     const std::string lessons = VIDNO_ROOT "/lessons/";
     for (const auto& [file, method] : {std::pair(lessons + "01-four-relations/scene.json", Method::warnock),
@@ -170,7 +170,7 @@ TEST_CASE("worksheet: several scenes as one PDF, its key beside it, the same byt
     CHECK(output_of({"pdftotext", work.file("key.pdf"), "-"}, "").find("Ответы") != std::string::npos);
 }
 
-TEST_CASE("worksheet: what has no room on it is refused, and no file appears") {
+TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears") {
     const Workplace work;
     test::SceneBuilder eleven({0, 0, 2, 2});
     for (int i = 0; i < 11; ++i) eleven.quad(0, 0, 1, 1, 0);

@@ -44,7 +44,7 @@ LineSet lines_named(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("FORMAT.md and the schemas have the events and choices that there are: if not, `./dev derive` writes them") {
+TEST_CASE("FORMAT.md and the schemas agree with the tables of events and choices (`./dev derive` rewrites them)") {
     for (const DerivedDocument& document : derived_documents()) {
         CAPTURE(document.file);
         const std::string text = read_file(VIDNO_ROOT "/trace/" + std::string(document.file));

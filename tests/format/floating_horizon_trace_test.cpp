@@ -164,7 +164,7 @@ TEST_CASE("Curves: the example of FORMAT.md is what the program writes") {
     CHECK(traced(header.scene, {header.kernel, header.edition}, header.detail).text == example);
 }
 
-TEST_CASE("Curves: a limit keeps what was told and says that it is partial") {
+TEST_CASE("Curves: a limit keeps the events so far and marks the trace as partial") {
     const auto [text, whole] = traced(some_surface(), {"double", Edition::corrected}, Detail::signs, false, 10);
     CHECK_FALSE(whole);
     FloatingHorizonTraceReader reader = reader_of(text);
@@ -175,7 +175,7 @@ TEST_CASE("Curves: a limit keeps what was told and says that it is partial") {
     CHECK(reader.end()->partial);
 }
 
-TEST_CASE("Curves: a trace of one kind is not taken for one of the other") {
+TEST_CASE("Curves: a trace of curves is not read as one of polygons, nor the other way round") {
     const std::string text = traced(some_surface(), {"double", Edition::corrected}, Detail::windows).text;
     CHECK(std::holds_alternative<FloatingHorizonTraceReader>(open_trace(LineReader::of_text(text), "trace")));
     CHECK_THROWS_WITH_AS(TraceReader(LineReader::of_text(text), "trace"),
@@ -189,7 +189,7 @@ TEST_CASE("Curves: a trace of one kind is not taken for one of the other") {
     CHECK_THROWS_AS(other.apply(event::Curve{}), Impossible);
 }
 
-TEST_CASE("Curves: what no run tells is refused, with its line") {
+TEST_CASE("Curves: a line that no run reports is refused, with its number") {
     const std::string text = traced(some_surface(), {"double", Edition::corrected}, Detail::polygons).text;
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string changed = text;
@@ -280,7 +280,7 @@ Surface next_to_coincidences(RandomCurves& random) {
 
 }  // namespace
 
-TEST_CASE("Curves: a checked run is the run, and every flag has its truth beside it") {
+TEST_CASE("Curves: a checked run is the same run, with the truth beside every flag") {
     const Surface surface = some_surface();
     for (const auto& choice : all_choices()) {
         CAPTURE(choice.kernel);
@@ -315,7 +315,7 @@ TEST_CASE("Curves: exact and filtered decide as the rule says, and their check f
     }
 }
 
-TEST_CASE("Curves: where double decides wrongly, the truth beside it is that of the rule") {
+TEST_CASE("Curves: beside a wrong decision under double, the truth is that of the rule") {
     RandomCurves random(29);
     int wrong_runs = 0;
     for (int i = 0; i < 300; ++i) {

@@ -116,7 +116,7 @@ TEST_CASE("A line with a wrong byte is read as the tree reads it, or not at all"
     CHECK(otherwise > 1000);
 }
 
-TEST_CASE("What the quick reader of events leaves to the tree") {
+TEST_CASE("Lines that the quick reader of events leaves to the tree reader") {
     const EventContext context{Detail::polygons, false, KnownPolygons({"\"A\""})};
     const auto is_quick = [&](const std::string& line) {
         QuickEvents quick(context);
@@ -134,7 +134,7 @@ TEST_CASE("What the quick reader of events leaves to the tree") {
     CHECK_MESSAGE(!is_quick(R"({"e":"discard","at":"PW3","polygon":"A"} )"), "text after it");
 }
 
-TEST_CASE("Ids with escapes and letters of any language are found as they are written") {
+TEST_CASE("Ids with escapes and letters of any language are found in their written form") {
     Scene scene{.name = {}, .area = {0, 0, 1, 1}, .background = {}, .polygons = {}};
     for (const std::string id : {"\"", "a\\b", "Ж", "\x01"}) scene.polygons.push_back({id, {}, {}, false});
     const PolygonNames names = polygon_names(scene);
@@ -147,7 +147,7 @@ TEST_CASE("Ids with escapes and letters of any language are found as they are wr
     }
 }
 
-TEST_CASE("The scenes of the lessons are read quickly where nothing is out of the ordinary, as the tree reads them") {
+TEST_CASE("The quick reader reads the ordinary scenes of the lessons as the tree reader does") {
     int quick = 0;
     for (const auto& file : std::filesystem::recursive_directory_iterator(VIDNO_ROOT "/lessons")) {
         if (file.path().extension() != ".json") continue;
@@ -176,7 +176,7 @@ TEST_CASE("A scene with a wrong byte is read as the tree reads it, or not at all
     CHECK(quick > 300);
 }
 
-TEST_CASE("A scene with a key that is there twice is left to the tree, which refuses it") {
+TEST_CASE("A scene with a repeated key is left to the tree reader, which refuses it") {
     const std::string polygon = R"({"color":"#000000","vertices":[[0,0,0],[1,0,0],[0,1,0]]})";
     const auto scene = [&](const std::string& more) {
         return R"({"format":"vidno-scene/1",)" + more + R"("window":{"x":0,"y":0,"width":4,"height":4},"polygons":[)" +

@@ -166,7 +166,7 @@ TEST_CASE("Read back and written again the bytes are the same, twice traced too"
     }
 }
 
-TEST_CASE("A number is written in its shortest form, whichever way it was found") {
+TEST_CASE("A number is written in its shortest form by every code path") {
     // Whole numbers and halves are formatted separately; std::to_chars gives the shortest form.
     std::vector<double> numbers{99999, 99999.5, 100000, 100000.5, -99999.5, 1e-5, .1, 123456789, 1e300};
     for (int i = -3000; i <= 3000; ++i) numbers.push_back(i / 2.0);
@@ -182,7 +182,7 @@ TEST_CASE("A number is written in its shortest form, whichever way it was found"
     CHECK(zero.view() == "0");
 }
 
-TEST_CASE("A number that was written before is written the same again") {
+TEST_CASE("A cached number is written as before") {
     // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced.
     std::mt19937_64 random(1);
     std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308};
@@ -203,7 +203,7 @@ TEST_CASE("A number that was written before is written the same again") {
     }
 }
 
-TEST_CASE("A line has room for the longest of everything") {
+TEST_CASE("A line has room for the longest values") {
     // Bytes that JSON escapes with six, and fractions longer than any double.
     Scene scene{.name = {}, .area = {0, 0, 1, 1}, .background = {}, .polygons = {}};
     scene.polygons.push_back({.id = std::string(5000, '\x01'), .color = {}, .vertices = {}});
@@ -223,7 +223,7 @@ TEST_CASE("A line has room for the longest of everything") {
     CHECK(names == std::vector<std::string>{"plane", "depth", "clip_result", "draw", "push", "fault"});
 }
 
-TEST_CASE("Every label that an event bears stands in the listings") {
+TEST_CASE("Every label of an event is in the listings") {
     std::ifstream file(VIDNO_ROOT "/trace/listings/listings.json");
     std::stringstream listings;
     listings << file.rdbuf();
@@ -248,7 +248,7 @@ TEST_CASE("FORMAT.md: the worked example is what the program writes") {
     CHECK(traced(reader.header().scene, choice, reader.header().detail).text == example);
 }
 
-TEST_CASE("The index of lines says where each event is, and what it is called") {
+TEST_CASE("The index of lines has the position and the name of each event") {
     const Scene scene = small_scene();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         const Choice choice{method, Edition::corrected, "double"};
@@ -275,7 +275,7 @@ TEST_CASE("The index of lines says where each event is, and what it is called") 
     }
 }
 
-TEST_CASE("A limit keeps what was told and says that it is partial") {
+TEST_CASE("A limit keeps the events so far and marks the trace as partial") {
     const Scene scene = small_scene();
     const Choice choice = all_choices().front();
     std::string text;
@@ -291,7 +291,7 @@ TEST_CASE("A limit keeps what was told and says that it is partial") {
     CHECK(reader.end()->partial);
 }
 
-TEST_CASE("A state refuses what cannot follow") {
+TEST_CASE("A state refuses an event that cannot follow") {
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).build();
     const auto impossible = [&](Method method, const std::vector<Event>& events) -> std::string {
         const TraceHeader header = header_of(scene, {method, Edition::corrected, "double"}, Detail::windows);

@@ -51,7 +51,7 @@ TEST_CASE("Regions: the worked example of FORMAT.md is what the program writes")
     CHECK(traced(reader.header().scene, reader.header().kernel, reader.header().detail) == example);
 }
 
-TEST_CASE("Regions: what no run tells is refused") {
+TEST_CASE("Regions: an event that no run reports is refused") {
     const std::string text = traced(near_before_far(), "double", Detail::polygons);
     const auto refused = [&](const std::string& part, const std::string& instead) {
         std::string changed = text;
@@ -74,7 +74,7 @@ TEST_CASE("Regions: what no run tells is refused") {
     CHECK(refused(R"(,false]])", R"(,0]])").find("not true or false") != std::string::npos);
 }
 
-TEST_CASE("Regions: under filtered and exact a check finds nothing, and under double what rounding spoils") {
+TEST_CASE("Regions: a check finds nothing under filtered and exact, and rounding errors under double") {
     RandomScenes random(42);
     std::uint64_t wrong_in_double = 0;
     for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-/// Fuzz target: any bytes as a decision file are refused, or give a decision whose places all differ.
+/// Fuzz target: the reader of decision files refuses any bytes or returns a decision whose places all differ.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,13 +1,13 @@
-// The Z-buffer, wrong: a pixel counts as inside if its centre is truly inside, by the signs of the products.
+// The Z-buffer, wrong: a pixel counts as inside only if its centre is strictly inside, by the signs of cross products.
 #include "course.h"
 
-/// Whether a cross product with each edge has the same sign; 0 has none.
+/// Whether the cross products with all edges have the same sign, with none 0.
 bool inside(const Polygon& polygon, Point p) {
     int positive = 0, negative = 0, edges = 0;
     const std::vector<Vertex>& v = polygon.vertices;
     for (std::size_t i = 0; i < v.size(); ++i) {
         const Vertex& w = v[(i + 1) % v.size()];
-        if (v[i].x == w.x && v[i].y == w.y) continue;  // a vertex that is there twice
+        if (v[i].x == w.x && v[i].y == w.y) continue;  // a repeated vertex
         ++edges;
         const double product = cross({v[i].x, v[i].y}, {w.x, w.y}, p);
         positive += product > 0;

@@ -1,4 +1,4 @@
-// What the students of this test have from the course's web page: geometry, and the rows of a convex outline.
+// Functions that the students of this test took from the course's web page: geometry, and the rows of a convex outline.
 #ifndef COURSE_H
 #define COURSE_H
 
@@ -6,7 +6,7 @@
 
 using namespace vidno::student;
 
-const double farthest = -2;  // behind all that is visible
+const double farthest = -2;  // behind all visible depths
 
 struct Point {
     double x, y;
@@ -23,7 +23,7 @@ struct Box {
 /// (a - o) x (b - o)
 inline double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
-/// By Newell's sum about the first vertex: the first three may lie on a line.
+/// Uses Newell's sum about the first vertex, because the first three vertices may lie on a line.
 inline Plane plane_of(const Polygon& polygon) {
     const Vertex& o = polygon.vertices[0];
     Plane plane{0, 0, 0, 0};
@@ -54,7 +54,7 @@ inline Box box_of(const Polygon& polygon) {
     return box;
 }
 
-/// Outline included.
+/// Whether the polygon contains the point. Its outline belongs to it.
 inline bool holds(const Polygon& polygon, Point point) {
     bool left = false, right = false;
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
@@ -66,7 +66,7 @@ inline bool holds(const Polygon& polygon, Point point) {
     return left != right;
 }
 
-/// Where the outline meets the line y, from the left; false if it does not.
+/// Finds the left and the right end of the outline on the line y. Returns false if the outline misses the line.
 inline bool ends_on(const std::vector<Vertex>& vertices, double y, double& left, double& right) {
     bool any = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -80,12 +80,12 @@ inline bool ends_on(const std::vector<Vertex>& vertices, double y, double& left,
     return any;
 }
 
-/// The first column whose centre lies at x or after it, in the area or just behind.
+/// The first column of the area whose centre lies at x or to the right of it; the column after the last if there is none.
 inline int first_centre(double x, const Area& area) {
     return int(std::max<double>(area.x, std::min<double>(area.x + area.width, std::ceil(x - 0.5))));
 }
 
-/// FillPolygon with its events.
+/// Reports the events of FillPolygon.
 inline void fill_polygon(WarnockTrace& trace, const Scene& scene, int polygon, const std::vector<Vertex>& vertices) {
     const Area& area = scene.area;
     for (int row = area.y; row < area.y + area.height; ++row) {
@@ -96,14 +96,14 @@ inline void fill_polygon(WarnockTrace& trace, const Scene& scene, int polygon, c
     trace.draw(polygon);
 }
 
-/// The side of the least square of 2^m pixels a side that covers the area.
+/// The side of the smallest square that covers the area: a power of two, in pixels.
 inline double covering_side(const Area& area) {
     double side = 1;
     while (side < area.width || side < area.height) side *= 2;
     return side;
 }
 
-/// A square window's pixels in the area take a colour.
+/// Paints the pixels of a square window that lie in the area.
 inline void fill_square(WarnockTrace& trace, const Scene& scene, double x, double y, double side, Color color) {
     const Area& area = scene.area;
     const int left = int(x), top = int(y), size = int(side);
@@ -111,7 +111,7 @@ inline void fill_square(WarnockTrace& trace, const Scene& scene, double x, doubl
                color);
 }
 
-/// The half of a polygon that lies on the inner side of from -> to: where `cross` is not positive.
+/// The part of a polygon on the inner side of from -> to, where `cross` is not positive.
 inline std::vector<Vertex> clipped_by(const std::vector<Vertex>& vertices, Point from, Point to) {
     std::vector<Vertex> kept;
     for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -1,4 +1,4 @@
-// A program that tells three steps and reaches for what is not there.
+// A program that reports its first steps and then writes through a null pointer.
 #include "course.h"
 
 int main() {

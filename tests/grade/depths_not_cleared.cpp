@@ -1,4 +1,4 @@
-// The Z-buffer, wrong: nobody fills the array of depths.
+// The Z-buffer, wrong: it does not fill the array of depths.
 #include "course.h"
 
 int main() {

@@ -1,4 +1,4 @@
-// A program that does not end, and says nothing more.
+// A program that loops forever and reports no step.
 #include "course.h"
 
 int main() {

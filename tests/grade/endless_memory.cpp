@@ -1,4 +1,4 @@
-// A program that keeps all it has ever made.
+// A program that never frees its memory.
 #include <memory>
 
 #include "course.h"

@@ -1,4 +1,4 @@
-// A program that splits one window again and again, and tells it.
+// A program that reports the same window again and again.
 #include "course.h"
 
 int main() {

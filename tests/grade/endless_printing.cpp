@@ -1,4 +1,4 @@
-// A program that prints for ever.
+// A program that prints forever.
 #include "course.h"
 
 int main() {

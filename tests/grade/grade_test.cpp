@@ -1,4 +1,4 @@
-// What a judge takes for right and for wrong, and what it does not hold against a program.
+// Which claims a judge calls right or wrong, and which differences it accepts.
 
 #include "grade/judge.h"
 
@@ -31,7 +31,7 @@ Judgement judgement_of(const StudentRun& run) {
                  run.header->kernel == "float" ? Precision::single : Precision::twice);
 }
 
-/// The events of a run with one kind of them changed, wherever `change` finds something to change.
+/// Judges a run in which `change` has altered events of the kind E, until it returns true.
 template <class E>
 Judgement with_changed(const Scene& scene, Method method, auto change, Detail detail = Detail::signs) {
     StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
@@ -105,7 +105,7 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
     CHECK(*truth.no_part(0, window, {}, Words()) == "nothing is left of it, and in the window there is an area of 9");
 }
 
-TEST_CASE("The truth of a scene: a point of an outline may show what is beside it, but where two meet no hole") {
+TEST_CASE("The truth of a scene: an outline may show what is next to it, but a common edge must have no hole") {
     const Scene scene = neighbours();
     const SceneTruth truth(scene, Precision::twice);
     const auto allows = [&](int column, int row, Color color) { return truth.allows(column, row, color); };
@@ -117,7 +117,7 @@ TEST_CASE("The truth of a scene: a point of an outline may show what is beside i
     CHECK(allows(2, 3, left));
     CHECK_FALSE(allows(2, 3, right));
     CHECK(allows(0, 0, behind));
-    // At the end of the common edge there is the background as well.
+    // At the end of the common edge, the background is next to the point too.
     const Scene ends = SceneBuilder({0, 0, 8, 8}).quad(1, 1.5, 4.5, 7, .25).quad(4.5, 1.5, 7, 7, .25).build();
     const SceneTruth end_truth(ends, Precision::twice);
     CHECK(end_truth.allows(4, 1, left));
@@ -153,7 +153,7 @@ TEST_CASE("Judging: our own runs are right on the scenes for students, at every 
     }
 }
 
-TEST_CASE("Judging: one claim that is changed is the one that is found") {
+TEST_CASE("Judging: a changed claim is the one that the judge finds") {
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     const auto symptom = [](const Judgement& judgement) {
         return judgement.wrong ? judgement.wrong->symptom : Symptom::impossible;
@@ -162,7 +162,7 @@ TEST_CASE("Judging: one claim that is changed is the one that is found") {
         const auto change = [](event::Depth& e) { return e.z = e.z.number + .125, true; };
         CHECK(symptom(with_changed<event::Depth>(scene, Method::warnock, change)) == Symptom::depth);
     }
-    SUBCASE("where a point is") {
+    SUBCASE("whether a point is inside") {
         const auto change = [](event::Surround& e) { return e.inside = !e.inside, true; };
         CHECK(symptom(with_changed<event::Surround>(scene, Method::warnock, change)) == Symptom::point_in_polygon);
     }
@@ -170,11 +170,11 @@ TEST_CASE("Judging: one claim that is changed is the one that is found") {
         const auto change = [](event::Compare& e) { return e.nearer = !e.nearer, true; };
         CHECK(symptom(with_changed<event::Compare>(scene, Method::warnock, change)) == Symptom::comparison);
     }
-    SUBCASE("what a window is") {
+    SUBCASE("the case of a window") {
         const auto change = [](event::Decide& e) { return e.which = Case::empty, true; };
         CHECK(symptom(with_changed<event::Decide>(scene, Method::warnock, change)) == Symptom::not_plain);
     }
-    SUBCASE("the sign for an edge, once others have said which side is positive") {
+    SUBCASE("the sign for an edge, after earlier signs have set the positive side") {
         auto change = [seen = 0](event::Orient& e) mutable {
             if (e.sign == Sign::zero || ++seen < 3) return false;
             e.sign = -e.sign;
@@ -194,13 +194,13 @@ TEST_CASE("Judging: one claim that is changed is the one that is found") {
     }
 }
 
-TEST_CASE("Judging: the printed text fails where it is known to") {
-    // X-W1: polygons that surround the window leave the list; the far quad surrounds the first one.
+TEST_CASE("Judging: the printed text is wrong where its defect X-W1 shows") {
+    // X-W1: polygons that surround the window leave the list. The far quad surrounds the first window.
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     CHECK(judgement_of(run_of(scene, Method::warnock, "double", Edition::printed)).wrong.has_value());
 }
 
-TEST_CASE("Judging: what is no number is no answer") {
+TEST_CASE("Judging: NaN and infinity are false claims") {
     const double none = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
     const auto found = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
     for (const double value : {none, infinite}) {
@@ -214,7 +214,7 @@ TEST_CASE("Judging: what is no number is no answer") {
                                                 [&](event::AelAdd& e) { return e.x = value, true; })));
         CHECK(found(with_changed<event::ShownLine>(neighbours(), Method::zbuffer,
                                                    [&](event::ShownLine& e) { return e.from.x = value, true; })));
-        // Nothing is claimed of a point that is none, and nothing fails.
+        // Events about a point that is not finite claim nothing, so the judge must only not fail on them.
         with_changed<event::Orient>(neighbours(), Method::warnock,
                                     [&](event::Orient& e) { return e.point.x = value, true; });
         with_changed<event::Surround>(neighbours(), Method::warnock,
@@ -222,7 +222,7 @@ TEST_CASE("Judging: what is no number is no answer") {
     }
 }
 
-TEST_CASE("Judging: the scenes for students find each usual mistake of the course's methods, and its traces name it") {
+TEST_CASE("Judging: on the scenes for students each usual mistake is found and named from its traces") {
     for (std::size_t i = 0; i < deviations.size(); i += thinning == 1 ? 1 : 4) {
         const Edition edition{Deviation(i)};
         if (!is_mistake(edition)) continue;
@@ -246,7 +246,7 @@ TEST_CASE("Judging: the scenes for students find each usual mistake of the cours
     }
 }
 
-TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {
+TEST_CASE("Judging: an incomplete trace is judged as far as it goes") {
     StudentRun run = run_of(neighbours(), Method::warnock, "double");
     run.events.erase(run.events.begin() + std::ptrdiff_t(run.events.size() / 2), run.events.end());
     run.complete = false;
@@ -255,7 +255,7 @@ TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {
     CHECK(judgement_of(run).wrong.has_value());  // pixels are missing
 }
 
-TEST_CASE("A scene is the same to a judge, whatever the order of its polygons and vertices") {
+TEST_CASE("A judge ignores the order of polygons and vertices in a scene") {
     const Scene scene = neighbours();
     Scene other = scene;
     std::swap(other.polygons[0], other.polygons[1]);
@@ -265,7 +265,7 @@ TEST_CASE("A scene is the same to a judge, whatever the order of its polygons an
     CHECK_FALSE(same_scene(other, scene));
 }
 
-TEST_CASE("A scene for a student's program, as text") {
+TEST_CASE("The text of a scene for a student's program") {
     Scene scene = SceneBuilder({-2, 0, 3, 4}).polygon("a b", red, {{.1, 0, 0}, {1, 0, 0}, {0, 1, -.5}}).build();
     scene.name = "Of one\ntriangle";
     CHECK(scene_text(scene) ==

@@ -1,4 +1,4 @@
-// A procedure of one's own in a run of vidno's, wrong: polygon_clip forgets the lower side of the window.
+// A student's procedure in a run of vidno, wrong: polygon_clip forgets the lower side of the window.
 #include "example.h"
 #include "vidno_procedures.h"
 

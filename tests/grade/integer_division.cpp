@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: a side is halved in whole numbers, and the rest is lost.
+// Warnock's algorithm, wrong: it halves a side in whole numbers and loses the remainder.
 #include "right/warnock_style.h"
 
 struct IntegerDivision : PlainStyle {

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Mutants of the example programs, each different from a right program in one token or one statement: does `vidno grade` catch them?
+"""Checks that `vidno grade` catches mutants: copies of right programs that differ in one token or one statement.
 
     mutants.py VIDNO COMPILER WORK [--every N] [--least PERCENT] [--report FILE]
 
-Each mutant is compiled once and graded. One that is called right is a survivor. A survivor is graded again on many more random scenes: if it
-is wrong on one of them, there is a scene that tells it from a right program, and the grader has missed it. Otherwise its traces are
-held against those of the right program, and the report says how they differ. Exit status 1: fewer than PERCENT of the mutants for
-which there is a distinguishing scene are caught.
+Each mutant is compiled once and graded. A mutant that is called right survives. A survivor is graded again on many more random scenes. If
+it is wrong on one of them, that scene distinguishes it from a right program, so the grader has missed it. Otherwise its traces are
+compared with those of the right program, and the report says how they differ. The exit status is 1 if the grader catches fewer than
+PERCENT of the mutants that some scene distinguishes.
 """
 import argparse
 import concurrent.futures
@@ -38,7 +38,7 @@ def without_comments(line):
 
 
 def mutants_of(text):
-    """Triples: line number, what was changed, the whole text."""
+    """Yields each mutant as its line number, the change in words, and its whole text."""
     lines = text.split('\n')
 
     def changed(number, line):
@@ -70,7 +70,7 @@ def mutants_of(text):
 
 
 class Course:
-    """Compiles and grades."""
+    """Compiles programs and grades them."""
 
     def __init__(self, vidno, compiler, work):
         self.vidno, self.compiler, self.work = vidno, compiler, work
@@ -80,7 +80,7 @@ class Course:
                        check=True)
 
     def compiled(self, name, text):
-        """The program, or none if it does not compile."""
+        """The path of the program; None if it does not compile."""
         source, program = self.work / f'{name}.cpp', self.work / name
         source.write_text(text, encoding='utf-8')
         done = subprocess.run([self.compiler, *self.flags, '-I', str(self.work), '-include', str(self.work / 'example.h'), str(source), '-o',
@@ -89,7 +89,7 @@ class Course:
         return program if done.returncode == 0 else None
 
     def is_caught(self, program, *options):
-        """And what the report says last."""
+        """Whether the grader fails the program, and its report."""
         done = subprocess.run([self.vidno, 'grade', str(program), '--first', '--seconds', '1', '--no-sandbox', *options], text=True,
                               errors='replace', capture_output=True, check=False)
         if done.returncode not in (0, 1, 2):
@@ -97,7 +97,7 @@ class Course:
         return done.returncode != 0, done.stdout + done.stderr
 
     def scenes(self, program):
-        """Those on which a program is graded, as text."""
+        """The files of the scenes on which a program is graded."""
         folder = self.work / 'scenes'
         folder.mkdir(exist_ok=True)
         for old in folder.iterdir():
@@ -109,7 +109,7 @@ class Course:
         return sorted(folder.iterdir())
 
     def traces(self, program, scenes):
-        """By scene the lines of the trace."""
+        """Maps each scene to the lines of the program's trace."""
         trace = self.work / f'{program.name}.trace'
         found = {}
         for scene in scenes:
@@ -120,7 +120,7 @@ class Course:
 
 
 def difference(right, told):
-    """In words, how the traces of a survivor differ from the right ones."""
+    """Says how the traces of a survivor differ from the right ones."""
     kinds = set()
     pictures = 0
     for scene, lines in right.items():

@@ -1,17 +1,17 @@
-// Looks for what is none of its business, and says what it has found.
+// A program that looks for files and a network outside its sandbox and prints whether it found them.
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "course.h"
 
-/// Whether a datagram could be sent: without an interface there is no way to anywhere.
+/// Whether there is a route for a datagram; without a network interface there is none.
 bool has_network() {
     const int socket_number = socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(9);
-    address.sin_addr.s_addr = htonl(0xc0000201);  // 192.0.2.1, which is nobody's
+    address.sin_addr.s_addr = htonl(0xc0000201);  // 192.0.2.1, reserved for documentation
     const bool reached = connect(socket_number, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     close(socket_number);
     return reached;

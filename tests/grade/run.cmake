@@ -1,5 +1,5 @@
-# `vidno grade` on students' programs: the right ones pass and hear what is different, each wrong one hears its mistake,
-# and one that does not end well is named. Each program is compiled once. Run with -P; COMPILER, VIDNO, PYTHON and WORK are given.
+# Tests `vidno grade` on students' programs. It must pass the right ones and list their differences, name the mistake of each wrong one, and
+# say how a program crashed or which limit it exceeded. Each program is compiled once. Run with -P; COMPILER, VIDNO and WORK are given.
 cmake_minimum_required(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(student ${here}/../../lessons/student)
@@ -7,14 +7,14 @@ set(student ${here}/../../lessons/student)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
-# The header is compiled once, too.
+# Compile the header once, too.
 set(flags -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student})
 execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${student}/example.h -o ${WORK}/example.h.gch
                 COMMAND_ERROR_IS_FATAL ANY)
 list(APPEND flags -I${WORK} -include ${WORK}/example.h)
 file(WRITE ${WORK}/example.h "#include \"${student}/example.h\"\n")
 
-# Builds a program of the student and grades it: `status` and `report` are what comes of it. More words are options.
+# Builds a student's program and grades it. Sets `status` and `report`. Further arguments are options of `vidno grade`.
 function(grade source)
     get_filename_component(program ${source} NAME_WE)
     execute_process(COMMAND ${COMPILER} ${flags} ${source} -o ${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
@@ -44,7 +44,7 @@ function(must_not_say program text)
     endif()
 endfunction()
 
-# Its differences are those named, in their order, and no others.
+# The report must list exactly these differences, in this order.
 function(must_differ source)
     must_say(${source} 0 "Right on all ")
     string(REGEX MATCHALL "\n  [^\n]* \\([0-9]+ scenes?\\)" told "${report}")
@@ -64,20 +64,20 @@ function(must_make program mistake)
     must_say(${program} 1 "The smallest scene that shows it:")
 endfunction()
 
-# Wrong, and like no mistake of the table.
+# The report must call the program wrong and name no mistake of the table.
 function(must_be_wrong program text)
     grade(${here}/wrong/${program}.cpp --first)
     must_say(${program} 1 "${text}")
     must_not_say(${program} "It behaves like")
 endfunction()
 
-# On a scene whose trace is short, so that the end comes soon.
+# Uses a scene with a short trace to save time.
 function(must_end program words)
     grade(${here}/${program}.cpp --seconds 1 --scenes ${student}/../05-polygon-clip/scene.json)
     must_say(${program} 1 "The program ${words}")
 endfunction()
 
-# Right programs, twenty-one with those below: other orders, windows, tests, rules for outlines, numbers and languages.
+# Right programs: other orders, windows, tests, rules for outlines, numbers and languages.
 set(outline "another rule for points of an outline")
 set(equal "another one of equally near polygons")
 set(windows "other windows")
@@ -107,19 +107,19 @@ must_differ(zbuffer.py "${outline}")
 grade_program(${here}/right/warnock.py)
 must_differ(warnock.py "recursion instead of the stack")
 
-# What is not told is not judged; a level that is asked for must be told.
+# Claims that a trace leaves out are not judged, but a trace must make the claims of the level asked for.
 grade_program(./recursion --detail polygons)
 must_say(recursion 1 "Not told, though level polygons is asked for: depths, surround tests.")
 grade_program(./warnock --detail signs)
 must_say(warnock 0 "Right on all ")
 
-# Mistakes of the table of deviations, in programs of another style.
+# Programs in another style with mistakes of the table of deviations.
 must_make(depths_not_cleared depths-not-cleared)
 must_make(boundary_outside boundary-outside)
 must_make(integer_division integer-division)
 must_make(surround_kept surround-kept)
 
-# The same, made in the right program: each pair of strings is what stands there and what the student wrote.
+# The same mistakes, made in right/warnock.cpp. Each pair of strings is the right text and what the student wrote instead.
 function(must_name mistake)
     file(READ ${here}/right/warnock.cpp text)
     math(EXPR last "${ARGC} - 2")
@@ -146,8 +146,8 @@ must_name(y-flipped "    Warnock(scene, trace);" "    Scene flipped = scene;
 must_name(one-list "    std::vector<Active> polygons;  // APL\n};" "    static std::vector<Active> polygons;  // APL\n};
 std::vector<Active> Window::polygons;" ", 1, {}}" ", 1}" "push({x, y, half, window.polygons})" "push({x, y, half})")
 
-# Others, which used to pass or to be called what they are not: each is wrong, and like no mistake of the table, for its runs take other
-# steps. Some make a mistake of the table in another place, such as `y_flipped`, which turns the picture and not the polygons.
+# The grader once passed these programs or named the wrong mistake. Their runs take other steps than those of any mistake of the table. Some
+# make a mistake of the table in another place: `y_flipped` flips the picture and not the polygons.
 must_be_wrong(four_vertices "first on \"Five vertices, six and nine\"")
 must_be_wrong(not_by_a_hundredth "first on \"")
 must_be_wrong(starts_at_minus_one "first on \"At both ends of the range\"")
@@ -165,11 +165,11 @@ must_say(first_three 1 "It behaves like the defect X-W6 of the printed text")
 
 must_end(crash "crashed (SIGSEGV): it reached for memory")
 must_end(endless_loop "did not end within 1 s")
-must_end(endless_output "")  # too long or too much, as fast as the disk is
+must_end(endless_output "")  # exceeds the limit of time or of output, depending on the speed of the disk
 must_end(endless_printing "wrote more than 64 MiB")
 must_end(endless_memory "asked for more than 512 MiB of memory")
 
-# A folder: a table, and a report on each program.
+# Grading a folder writes a table, and a report on each program.
 file(MAKE_DIRECTORY ${WORK}/homework)
 file(COPY ${WORK}/queue ${WORK}/four_vertices DESTINATION ${WORK}/homework)
 foreach(table IN ITEMS table.csv table.json)
@@ -193,7 +193,7 @@ endif()
 file(READ ${WORK}/table/four_vertices.txt report)
 must_say(table/four_vertices.txt 1 "Неверно: ")
 
-# Strangers' programs see their own files and no network. Where no sandbox can be made, the report says so.
+# In the sandbox a program sees only its own files and no network. If no sandbox can be created, the report says so.
 grade(${here}/nosy.cpp --first)
 string(FIND "${report}" "No sandbox: " found)
 if(found EQUAL -1)
@@ -204,7 +204,7 @@ endif()
 grade_program(./nosy --first --no-sandbox)
 must_not_say(nosy "No sandbox: ")
 
-# What cannot be graded is refused in a line.
+# If something cannot be graded, one line says why.
 function(must_refuse reason)
     execute_process(COMMAND ${VIDNO} grade ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status
                     ERROR_VARIABLE report OUTPUT_QUIET)
@@ -219,13 +219,13 @@ execute_process(COMMAND ${VIDNO} trace ${student}/../05-polygon-clip/scene.json 
                 WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 must_refuse("only float and double are judged" exact.jsonl)
 
-# A trace that is there already.
+# An existing trace can be graded too.
 execute_process(COMMAND ./surround_kept WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${VIDNO} grade surround_kept.jsonl WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status
                 OUTPUT_VARIABLE report)
 must_say(surround_kept.jsonl 1 "It behaves like a usual mistake, surround-kept: ")
 
-# Procedures of one's own in a run of vidno's.
+# A student may replace single procedures in a run of vidno.
 set(root ${here}/../..)
 set(flags -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} -ffp-contract=off -I${root}/lib -I${root}/trace)
 grade(${student}/surround_test.cpp)

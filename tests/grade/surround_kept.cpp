@@ -1,5 +1,4 @@
-// Warnock's algorithm, wrong: once a surrounding polygon is found, nothing that comes before it in the window is a reason to
-// doubt it.
+// Warnock's algorithm, wrong: once it has found a surrounding polygon, it keeps it even if a later polygon is nearer in the window.
 #include "course.h"
 
 struct Cell {

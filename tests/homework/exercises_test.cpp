@@ -80,7 +80,7 @@ TEST_CASE("profile: rows, changes of the AEL and pixels of a quad behind another
     CHECK(profile.met.contains("tie"));
 }
 
-TEST_CASE("profile: as hard is the same but for a tenth, and a twentieth of the whole") {
+TEST_CASE("profile: equally hard means counts within a tenth and a total within a twentieth") {
     const Profile original{{"line W13"}, {{"split at level 0", 1}, {"pixel at level 4", 40}}};
     const auto with = [&](std::uint64_t splits, std::uint64_t pixels) {
         Profile profile = original;
@@ -134,14 +134,14 @@ TEST_CASE("exercises: no two show the same picture, mirrored or not, nor that of
     }
 }
 
-TEST_CASE("exercises: the same seed gives the same scenes, another one others") {
+TEST_CASE("exercises: the same seed gives the same scenes, another seed gives others") {
     const Scene scene = read(originals[0].scene);
     const auto exercises = some_exercises(scene, Method::warnock);
     CHECK(some_exercises(scene, Method::warnock) == exercises);
     CHECK(some_exercises(scene, Method::warnock, 8) != exercises);
 }
 
-TEST_CASE("homework: where nothing can be moved there are none, and fewer than wanted is exit 1") {
+TEST_CASE("homework: no exercises if nothing can be moved, and exit 1 for fewer than requested") {
     // One pixel that one polygon covers: every exercise made from it has the same picture.
     const Workplace work;
     const std::string scene =
@@ -153,7 +153,7 @@ TEST_CASE("homework: where nothing can be moved there are none, and fewer than w
     CHECK(std::filesystem::is_empty(work.file("homework")));
 }
 
-TEST_CASE("homework: numbered files, the same bytes each time, by the command's earlier name, too") {
+TEST_CASE("homework: numbered files, the same bytes each time, also by the command's earlier name") {
     const Workplace work;
     const std::string words = std::string(" ") + originals[2].scene + " --method zbuffer --count 3 --seed 5 -o ";
     REQUIRE(program("homework" + words + work.file("a")).status == 0);
@@ -165,7 +165,7 @@ TEST_CASE("homework: numbered files, the same bytes each time, by the command's 
     }
 }
 
-TEST_CASE("exercises: a scene that nobody works by hand is refused") {
+TEST_CASE("exercises: a scene that is too hard to work by hand is refused") {
     const auto refusal = [](const Scene& scene) {
         try {
             expect_by_hand(scene, "scene.json");

@@ -148,7 +148,7 @@ TEST_CASE("a cube in every format is the same scene") {
     CHECK(import_mesh(text_stl(), "cube.stl", {}).scene.polygons.size() == 1);
 }
 
-TEST_CASE("what faces the viewer is lighter") {
+TEST_CASE("faces that face the viewer are lighter") {
     // The default camera stands in front (+z), a little above (+y) and to the right (+x).
     const Scene scene = import_mesh(cube_obj(), "cube.obj", {}).scene;
     const auto light = [&](std::size_t face) { return int(scene.polygons[face].color.green); };
@@ -172,7 +172,7 @@ TEST_CASE("OFF with colours and normals") {
     CHECK(import_mesh(text, "t.off", from_the_front()).scene.polygons.size() == 1);
 }
 
-TEST_CASE("PLY with other elements, other types and lists that are not asked for") {
+TEST_CASE("PLY with other elements, other types and unused lists") {
     const std::string text =
         "ply\nformat ascii 1.0\nelement material 1\nproperty int k\nproperty list uchar float weights\n"
         "element vertex 3\nproperty uchar red\nproperty double z\nproperty double y\nproperty int x\n"
@@ -209,7 +209,7 @@ TEST_CASE("faces that are not planar or not convex are cut into triangles") {
     }
 }
 
-TEST_CASE("what cannot be shown is dropped and counted") {
+TEST_CASE("faces that cannot be shown are dropped and counted") {
     const std::string points = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 8 0 0\nv 100 0 0\nv 104 0 0\nv 100 4 0\n";
     const auto [scene, warnings] = import_mesh(points +
                                                    "f 1 2 3\n"    // 0: fine
@@ -223,7 +223,7 @@ TEST_CASE("what cannot be shown is dropped and counted") {
                           "d.obj: 5 faces read, 3 dropped: 2 without area, 1 crossing themselves; 1 not in view"});
 }
 
-TEST_CASE("files that lie about themselves are refused before anything is reserved") {
+TEST_CASE("files with false counts are refused before memory is reserved") {
     struct BadInput {
         std::string file, bytes, message;
     };
@@ -293,7 +293,7 @@ TEST_CASE("files that lie about themselves are refused before anything is reserv
     }
 }
 
-TEST_CASE("a file cut off anywhere is refused or read, never more") {
+TEST_CASE("a truncated file is refused or read, and nothing worse happens") {
     const std::vector<std::pair<std::string, std::string>> files{
         {"c.obj", cube_obj()},       {"c.off", cube_off()},   {"c.ply", cube_ply()}, {"c.ply", binary_ply(false)},
         {"c.ply", binary_ply(true)}, {"c.stl", binary_stl()}, {"c.stl", text_stl()}};

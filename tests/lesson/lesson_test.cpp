@@ -62,7 +62,7 @@ TEST_CASE("A paragraph has words, emphasis, code, and links to pins, lessons and
           Json::parse(R"([{"is": "link", "url": "https://example.org/a", "text": ["there"]}])"));
 }
 
-TEST_CASE("A formula is code between dollars, or a fence of its own") {
+TEST_CASE("A formula is code between dollars, or a fence") {
     CHECK(block_of("The plane $`a_1 x * 2 = d`$, and $5 for `x`.")["text"] ==
           Json::parse(R"(["The plane ", {"is": "formula", "tex": "a_1 x * 2 = d"}, ", and $5 for ",
                           {"is": "code", "text": "x"}, "."])"));
@@ -92,7 +92,7 @@ TEST_CASE("A numbered list whose items end in quotes is questions and answers, a
                                                                    [{"is": "paragraph", "text": ["Second"]}]]})"));
 }
 
-TEST_CASE("What a page would not show is a problem of its line") {
+TEST_CASE("Markdown that a page cannot show is a problem with a line") {
     CHECK(problem_of("Words.\n\n<b>bold</b>") == "story.en.md:5: HTML is not shown: <b>");
     CHECK(problem_of("<div>") == "story.en.md:3: HTML is not shown");
     CHECK(problem_of("![x](x.png)") ==
@@ -154,7 +154,7 @@ TEST_CASE("A pin is the first event with its fields, or the first after another 
     CHECK(searched(at_line).step() == 4);
 }
 
-TEST_CASE("A pin objects where the run does not do what it says") {
+TEST_CASE("A pin reports where the run contradicts it") {
     const Pin none = pin_to({{{"e", "pop"}}, {{"e", "fill"}}});
     CHECK_FALSE(searched(none).step());
     CHECK(searched(none).objection() == R"(there is no {"e":"fill"} after step 2)");
@@ -208,14 +208,14 @@ Scene quads() { return test::SceneBuilder(test::area_16).polygon(test::far_quad)
 
 }  // namespace
 
-TEST_CASE("A lesson in order: nothing is said") {
+TEST_CASE("A lesson without errors: no messages") {
     const SquareLesson lesson;
     const auto [status, text] = program("lesson check " + lesson.folder);
     CHECK(text == "");
     CHECK(status == 0);
 }
 
-TEST_CASE("A figure is named from the folder above that of the lessons, wherever the lesson is named from") {
+TEST_CASE("A figure's command names files relative to the folder above the lessons, for any path of the lesson") {
     const SquareLesson lesson;
     const std::string lessons = lesson.place.directory.filename().string();
     for (const char* story : {"story.en.md", "story.ru.md"}) {
@@ -229,7 +229,7 @@ TEST_CASE("A figure is named from the folder above that of the lessons, wherever
     CHECK(program("lesson check " + lesson.folder).text.find("story.en.md:3: --pin two: ") != std::string::npos);
 }
 
-TEST_CASE("What is wrong with a lesson is said with file and line") {
+TEST_CASE("Errors in a lesson are reported with file and line") {
     struct Case {
         const char *file, *from, *to, *said;
     };
@@ -260,7 +260,7 @@ TEST_CASE("What is wrong with a lesson is said with file and line") {
     }
 }
 
-TEST_CASE("A lesson whose run is of curves: in order, built, and refused what does not run curves") {
+TEST_CASE("A lesson with a run of curves is checked and built, and another kernel or method is refused") {
     const SquareLesson lesson;
     lesson.place.write("square/scene.json",
                        R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":3,"height":4},)"
@@ -292,7 +292,7 @@ TEST_CASE("A scene that the method of a run does not take is refused") {
     CHECK(text.find("scene.json: not for warnock-bodies: polygon A has an edge") != text.npos);
 }
 
-TEST_CASE("A pin that no story leads to is of no use") {
+TEST_CASE("A pin without a link in a story is a problem") {
     const SquareLesson lesson;
     lesson.edit("lesson.json", R"("all":)", R"("idle": {"find": [{"e": "push"}]}, "all":)");
     CHECK(program("lesson check " + lesson.folder).text.find("lesson.json:5: pin idle: no story leads to it") !=
@@ -314,7 +314,7 @@ TEST_CASE("A course is built from lessons: traces, steps of the pins, an index")
     CHECK(built["story"]["ru"]["title"] == json::parse(R"(["Square"])"));
 }
 
-TEST_CASE("A run is named after what it shows: as its lesson says, or by the name of its scene") {
+TEST_CASE("A run has the title of its lesson, or the name of its scene") {
     const auto title = [](const SquareLesson& lesson) {
         CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
         return json::parse(lesson.place.read("course/index.json"))[0]["traces"][0]["title"];
@@ -334,7 +334,7 @@ TEST_CASE("A lesson says which parts of the state stand beside its text") {
     CHECK(built["shows"] == json::parse(R"(["stack", "active-polygons"])"));
 }
 
-TEST_CASE("A new lesson, of a scene, a mesh or a surface, lacks nothing but its words") {
+TEST_CASE("A new lesson on a scene, a mesh or a surface lacks only its text") {
     const Workplace place;
     const std::string scene = place.write("s.json", scene_json(quads()));
     const std::string lessons = VIDNO_ROOT "/lessons/";
@@ -393,7 +393,7 @@ TEST_CASE("Every step of a run can be pinned") {
         }
     }
 }
-TEST_CASE("The lessons say what their runs do, in both languages") {
+TEST_CASE("The lessons agree with their runs, in both languages") {
     std::set<std::string> folders;
     for (const auto& entry : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
         if (std::filesystem::exists(entry.path() / "lesson.json")) folders.insert(entry.path().string());

@@ -69,7 +69,7 @@ TEST_CASE("repeated and collinear vertices are allowed and stay") {
     CHECK(polygon.vertices.size() == 5);
 }
 
-TEST_CASE("what is not convex or goes round otherwise than once is refused") {
+TEST_CASE("outlines that are not convex or do not wind around exactly once are refused") {
     // An L, and a quad with a dent.
     check_all("not convex", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
     check_all("not convex", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
@@ -135,7 +135,7 @@ TEST_CASE("a vertex reflex by at most 2^-40 of the extent is dropped") {
     check_all("admitted", dented(-0x1p-30));  // outwards it is not a dent
 }
 
-TEST_CASE("many vertices reflex by rounding are dropped, but no deep dent is dug away bit by bit") {
+TEST_CASE("many vertices reflex by rounding are dropped, but a deep dent is not removed step by step") {
     // A bay of n + 1 points along y = d (x - x^2) seen from above a unit square: d / 4 deep in the middle.
     const auto bay = [](double d) {
         std::vector<glm::dvec3> outline;

@@ -66,7 +66,7 @@ TEST_CASE("Each operation is the exact one, rounded once") {
     }
 }
 
-TEST_CASE("A constant takes the bits of what it meets") {
+TEST_CASE("A constant takes the bits of the other operand") {
     const Bits kernel(4);
     CHECK(double(Rounded(1) + kernel.number(30)) == 32);  // 31 has five bits; 30 and 32 are equally near, 32 is even
     CHECK(double(Rounded(1) + Rounded(30)) == 31);
@@ -104,7 +104,7 @@ TEST_CASE("Fewer bits, more wrong pixels") {
     CHECK(wrong[2] > wrong[3]);
 }
 
-TEST_CASE("Four bits are enough where coordinates are small whole numbers, and one more tells a half") {
+TEST_CASE("Four bits suffice for small whole coordinates, and a fifth distinguishes halves") {
     // A quad to the centre of the seventh column: 13/2 has four bits, 15/2 too, 17/2 five.
     const auto painted = [](int bits, double right) {
         const Scene scene = SceneBuilder({0, 0, 12, 1}).quad(0, 0, right, 1, .5).build();

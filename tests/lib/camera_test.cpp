@@ -40,7 +40,7 @@ std::string defect(const Camera& camera) { return std::string(defect_of(camera, 
 
 }  // namespace
 
-TEST_CASE("the viewport takes -1 to 1 to the area, with y turned round and z kept") {
+TEST_CASE("the viewport maps -1 to 1 to the area, flips y and keeps z") {
     const glm::dmat4 matrix = viewport_matrix({10, 20, 6, 4});
     // x' = 3 x + 13, y' = -2 y + 22
     CHECK(matrix * glm::dvec4(-1, 1, 0.5, 1) == glm::dvec4(10, 20, 0.5, 1));
@@ -81,7 +81,7 @@ TEST_CASE("a wide area shows more at the sides, not less above") {
     check_close(seen[2], {100, 12.5, -0.5});
 }
 
-TEST_CASE("any eye, target and up") {
+TEST_CASE("arbitrary eye, target and up") {
     Camera camera = ahead();
     camera.eye = {5, 0, 0};  // looking along -x with z upward: right is +y
     camera.target = {4, 0, 0};
@@ -120,7 +120,7 @@ TEST_CASE("clipping to the view volume comes before the division") {
     }
 }
 
-TEST_CASE("whatever the camera makes of a planar polygon is admitted") {
+TEST_CASE("the image of a planar polygon under any camera is admitted") {
     Camera camera;
     camera.target = {0.1, 0.2, 0.3};
     camera.near_distance = 0.5;

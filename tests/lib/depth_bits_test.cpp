@@ -34,7 +34,7 @@ TEST_CASE("Two bits hold four depths: -1, -1/3, 1/3 and 1") {
     CHECK_MESSAGE(kernel.to_store(-7) == -1, "and on the other side");
 }
 
-TEST_CASE("Storing keeps the order, changes nothing twice, and is off by half a step at most") {
+TEST_CASE("Storing keeps the order, is idempotent, and is off by at most half a step") {
     std::mt19937 random(11);
     const auto depth = [&] { return std::ldexp(double(random()), -31) - 1; };
     for (int i = 0; i < 20000; ++i) {
@@ -53,7 +53,7 @@ TEST_CASE("Storing keeps the order, changes nothing twice, and is off by half a 
 }
 
 TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
-    // In steps of 4 bits, (z + 1) / 2 * 15: 0.5 is at 11.25, 0.55 at 11.625 and 0.52 at 11.4; the second rounds to 12.
+    // 4 bits store the rounded (z + 1) / 2 * 15: 11.25 for 0.5, 11.4 for 0.52, and 11.625, rounded to 12, for 0.55.
     const auto shown = [](double second, int bits) {
         const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .5).quad(-1, -1, 17, 17, second).build();
         return render(Method::zbuffer, scene, DepthBits(bits)).at(8, 8);
@@ -63,7 +63,7 @@ TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
     CHECK_MESSAGE(shown(0.52, 8) == color_of(1), "of 8 bits: 191.25 and 193.8");
 }
 
-TEST_CASE("What the buffer holds is what the trace tells as stored") {
+TEST_CASE("The trace reports the depth that the buffer stores") {
     double told = 0;
     const Scene scene = SceneBuilder({0, 0, 1, 1}).quad(-1, -1, 2, 2, 0).build();
     render(Method::zbuffer, scene, DepthBits(2), HearDepth(told));

@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("Relation: the four of them", K, VIDNO_KERNELS) {
     check_relation<K>(rectangle(3, 3, 9, 9), Relation::surrounding);
 }
 
-TEST_CASE_TEMPLATE("Relation: what touches a side from without is outside, from within intersecting", K,
+TEST_CASE_TEMPLATE("Relation: a polygon that touches a side is outside if it lies outside, intersecting if inside", K,
                    VIDNO_KERNELS) {
     check_relation<K>(rectangle(8, 4, 12, 8), Relation::outside);
     check_relation<K>({{8, 6, 0}, {12, 4, 0}, {12, 8, 0}}, Relation::outside);
@@ -77,7 +77,8 @@ TEST_CASE_TEMPLATE("Relation: around a corner, where the box cannot tell", K, VI
     check_relation<K>({{17, 0, 0}, {0, 17, 0}, {0, 0, 0}}, Relation::surrounding);
 }
 
-TEST_CASE_TEMPLATE("Relation: the line of an edge passes through the window, the edge ends before", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("Relation: the line of an edge passes through the window, but the edge ends before it", K,
+                   VIDNO_KERNELS) {
     // The edge from (10, 10) to (14, 14) lies on the window's diagonal; the box reaches over the window.
     check_relation<K>({{10, 10, 0}, {14, 14, 0}, {3, 15, 0}}, Relation::outside);
 }
@@ -304,7 +305,7 @@ CountSteps::Counts steps_of(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("Simplest: a small polygon is looked for down to its pixel") {
+TEST_CASE("Simplest: windows around a small polygon are split down to its pixel") {
     // On 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box lies.
     const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(1.25, 1.25, 1.75, 1.75, 0).build();
     CHECK(steps_of<family::Simplest>(scene).windows == 1 + 4 + 4);
@@ -384,7 +385,7 @@ void check_lists(const Scene& scene, WatchLists::Lists& lists) {
 
 }  // namespace
 
-TEST_CASE("Three lists: at every window they hold what they say, and nothing that is in the first two is tested") {
+TEST_CASE("Three lists: they are right at every window, and no polygon of the first two is tested") {
     RandomScenes random(23);
     WatchLists::Lists lists{};
     for (int i = 0; i < 150; ++i) {
@@ -435,7 +436,7 @@ TEST_CASE_TEMPLATE("VertexSplit: without a vertex in the window, in the middle",
     CHECK(upright == std::vector<Window>{{0, 3, 1, 1}, {0, 4, 1, 1}});
 }
 
-TEST_CASE("VertexSplit: fewer windows where a corner lies beside the middle") {
+TEST_CASE("VertexSplit: fewer windows if a corner is not in the middle") {
     // Split at (3, 3), the four parts are simple. Split in the middle of 16, and of 8 and 4, the corner always is in one part.
     const Scene scene = SceneBuilder(area_16).quad(3, 3, 20, 20, .5).quad(-1, -1, 17, 17, 0).build();
     CHECK(steps_of<family::AtVertex>(scene).windows == 1 + 4);
@@ -534,7 +535,7 @@ TEST_CASE("Closed convex bodies are admitted, one or more of them") {
     CHECK_FALSE(not_closed_convex_bodies(SceneBuilder(area_16).build()).has_value());
 }
 
-TEST_CASE("What is no closed convex body is refused, with the polygon that shows it") {
+TEST_CASE("A scene that does not consist of closed convex bodies is refused, with a polygon that shows it") {
     const auto reason = [](const Faces& faces) { return not_closed_convex_bodies(scene_with(faces)).value_or(""); };
     Faces open = tilted_box;
     open.pop_back();
@@ -580,7 +581,7 @@ TEST_CASE_TEMPLATE("BackFaces: the sign of the first turn", K, VIDNO_KERNELS) {
     CHECK_MESSAGE(looks_away({{1, 1, 0}, {3, 1, 0}, {5, 1, 0}, {5, 5, 0}}), "after a vertex that is no corner");
 }
 
-TEST_CASE("Bodies: faces that look away may go") {
+TEST_CASE("Bodies: faces that look away may be removed") {
     RandomBodies random(41);
     int admitted = 0, removed = 0;
     for (int i = 0; i < 600; ++i) {
@@ -595,7 +596,7 @@ TEST_CASE("Bodies: faces that look away may go") {
     CHECK_MESSAGE(removed > 100, "with fewer polygons there is less to split");
 }
 
-TEST_CASE("Bodies: on the outline the face that looks here wins, even if the other comes first") {
+TEST_CASE("Bodies: on the outline the face that looks towards the viewer wins, even if the other comes first") {
     // The edge from (1/2, 1/2) to (4 1/2, 4 1/2) is on the outline of the tetrahedron; its fourth vertex is behind it.
     const Faces faces = tetrahedron({.5, .5, 0}, {4.5, 4.5, 0}, {9.5, .5, 0}, {5.5, 1.5, -.5});
     const auto looks_here = [](const Corners& face) { return glm::cross(face[1] - face[0], face[2] - face[0]).z < 0; };

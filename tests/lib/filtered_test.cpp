@@ -68,7 +68,7 @@ TEST_CASE("Bounded: the exact result of a formula lies within the bound") {
     CHECK(inexact > 10000);
 }
 
-TEST_CASE("Bounded: what may be zero divides into nothing known") {
+TEST_CASE("Bounded: division by a number that may be zero has no bound") {
     const Bounded tiny(1, 1);
     CHECK((Bounded(1) / tiny).error == std::numeric_limits<double>::infinity());
     CHECK_FALSE(sign_is_certain(tiny));
@@ -127,7 +127,7 @@ TEST_CASE("Next to coincidences: no wrong pixel, and some under double") {
     CHECK(wrong_in_double > 0);
 }
 
-TEST_CASE("Depths that a cell of the Z-buffer does not tell apart") {
+TEST_CASE("Depths that a cell of the Z-buffer cannot distinguish") {
     // 1/2 and 1/2 + 2^-30 are one float; 1/2 and 1/2 are equal, and the first polygon stays.
     const Scene scene = SceneBuilder({0, 0, 3, 1})
                             .quad(0, 0, 3, 1, .5)
@@ -170,7 +170,7 @@ TEST_CASE("A window's corner that an edge passes through by chance") {
     CHECK(corners == std::set<std::array<double, 2>>{{8, -8}, {9, -8}, {9, -6}, {8, -6}});
 }
 
-TEST_CASE("Coordinates that overflow are decided all the same") {
+TEST_CASE("Coordinates that overflow are still decided right") {
     // The triangle's sides are so long that every product of them is infinite.
     const double far = 0x1p1000;
     const Scene scene = SceneBuilder({-2, -2, 4, 4})

@@ -83,7 +83,8 @@ struct FloatingHorizonStage {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("Visibility: on a horizon is visible, strictly between the two is not", K, VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("Visibility: a point on a horizon is visible, one strictly between the two is not", K,
+                   VIDNO_HORIZON_KERNELS) {
     using enum VisibilityFlag;
     FloatingHorizonStage<K> stage(
         CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 4}}).build());
@@ -100,7 +101,7 @@ TEST_CASE_TEMPLATE("Visibility: on a horizon is visible, strictly between the tw
     CHECK(stage.flag(5, 9) == both);
 }
 
-TEST_CASE_TEMPLATE("Horizon: what is higher raises the upper, what is lower lowers the lower", K,
+TEST_CASE_TEMPLATE("Horizon: higher points raise the upper horizon, lower points lower the lower one", K,
                    VIDNO_HORIZON_KERNELS) {
     // From (0, 2) to (8, 18) the segment is at 2 + 2 x.
     FloatingHorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).build());
@@ -173,11 +174,11 @@ TEST_CASE_TEMPLATE("From above to below in one segment, and back: hidden in the 
     CHECK(last_lines<K>(between_4_and_12({{5, 0}, {6, 16}})) == Lines{{2, 5, 0, 5.25, 4}, {2, 5.75, 12, 6, 16}});
 }
 
-TEST_CASE_TEMPLATE("Hidden at both ends, hidden altogether", K, VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("A segment that is hidden at both ends is hidden everywhere", K, VIDNO_HORIZON_KERNELS) {
     CHECK(last_lines<K>(between_4_and_12({{0, 4.25}, {7, 11.75}, {12, 5}})).empty());
 }
 
-TEST_CASE_TEMPLATE("Touching a horizon is visible: a point", K, VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("A curve that touches a horizon is visible there: a point", K, VIDNO_HORIZON_KERNELS) {
     CHECK_MESSAGE((last_lines<K>(between_4_and_12({{0, 8}, {4, 4}, {8, 8}})) == Lines{{2, 4, 4, 4, 4}}), "at a sample");
     CHECK(last_lines<K>(between_4_and_12({{0, 8}, {4, 12}, {8, 8}})) == Lines{{2, 4, 12, 4, 12}});
     CHECK_MESSAGE((last_lines<K>(between_4_and_12({{0, 4}, {4, 8}})) == Lines{{2, 0, 4, 0, 4}}), "at its beginning");
@@ -221,7 +222,7 @@ TEST_CASE_TEMPLATE("A curve does not hide itself", K, VIDNO_HORIZON_KERNELS) {
                   "nor does the side edge that leads to it");
 }
 
-TEST_CASE_TEMPLATE("Beside the nearer curves there is no horizon", K, VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("There is no horizon beside the nearer curves", K, VIDNO_HORIZON_KERNELS) {
     const auto scene =
         CurveSceneBuilder(columns_17).curve({{4, 12}, {8, 12}}).curve({{4, 4}, {8, 4}}).curve({{3, 8}, {9, 8}}).build();
     CHECK(last_lines<K>(scene) == Lines{{2, 3, 8, 4, 8}, {2, 8, 8, 9, 8}});
@@ -236,7 +237,7 @@ TEST_CASE_TEMPLATE("The side of the surface hides what is behind it, also from x
     }
 }
 
-TEST_CASE_TEMPLATE("Curves beyond the screen and columns left of 0 are as others", K, VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("Curves beyond the screen and columns left of 0 are treated like others", K, VIDNO_HORIZON_KERNELS) {
     const auto scene = CurveSceneBuilder({-8, 0, 9, 8})
                            .curve({{-8, 20}, {0, 20}})
                            .curve({{-8, 14}, {0, 14}})
@@ -274,7 +275,7 @@ struct HearLabels : NoTrace {
 
 }  // namespace
 
-TEST_CASE("A run tells each line of the listing that it comes to") {
+TEST_CASE("A run of the floating horizon reports each line of the listing that it reaches") {
     // The second curve is below the first over column 0, and crosses it halfway to column 1.
     std::string heard;
     const auto scene = CurveSceneBuilder({0, 0, 2, 4}).curve({{0, 2}, {1, 2}}).curve({{0, 3}, {1, 1}}).build();
@@ -422,7 +423,7 @@ struct CountExact {
 
 }  // namespace
 
-TEST_CASE("Filtered asks for exact arithmetic where heights are nearly equal, and nowhere else") {
+TEST_CASE("Filtered uses exact arithmetic only where heights are nearly equal") {
     const auto asked = [](std::vector<Sample> samples) {
         int exact = 0;
         visible_lines(between_4_and_12(std::move(samples)), FilteredBy(CountExact{&exact}));
@@ -433,7 +434,7 @@ TEST_CASE("Filtered asks for exact arithmetic where heights are nearly equal, an
     CHECK(asked({{0, 3}, {9, 6}}) > 0);
 }
 
-TEST_CASE("Heights that overflow are compared all the same") {
+TEST_CASE("Heights that overflow are still compared right") {
     // From -1.5 * 2^1023 to 1.5 * 2^1023 is a longer way than any double holds; halfway the curve is at 0, and hidden.
     const double far = 0x1.8p1023;
     const auto scene = CurveSceneBuilder({0, 0, 5, 8})
@@ -492,7 +493,7 @@ struct OnlyXH6 : CorrectedFloatingHorizon {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 is taken for none", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 counts as no edge", K, VIDNO_PRINTED_KERNELS) {
     // Without the edge the upper horizon stays at 12 up to x = 3, and goes to 8 over the next column: it is at 11 a quarter of
     // the way.
     CHECK(last_lines<K, CorrectedFloatingHorizon>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
@@ -502,7 +503,8 @@ TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 is taken for none", K, VIDNO_PRIN
         "at x = 2 it is one");
 }
 
-TEST_CASE_TEMPLATE("X-H1: what is below at both ends is not drawn, and lowers nothing", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-H1: a segment that is below at both ends is not drawn and lowers no horizon", K,
+                   VIDNO_PRINTED_KERNELS) {
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 12}}).build();
     CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 12, 8, 12}});
     CHECK(last_lines<K, OnlyFlagTest>(scene).empty());
@@ -511,7 +513,7 @@ TEST_CASE_TEMPLATE("X-H1: what is below at both ends is not drawn, and lowers no
     CHECK(as_double(*printed.horizons.lower[4]) == 4);
 }
 
-TEST_CASE_TEMPLATE("X-H2: what emerges below is cut by the upper horizon", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-H2: a segment that emerges below is cut by the upper horizon", K, VIDNO_PRINTED_KERNELS) {
     // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so the cut is at the end of the step: the next column or, as printed, the
     // next sample.
     const auto scene = between_4_and_12({{0, 9.5}, {8, 17.5}});
@@ -520,14 +522,15 @@ TEST_CASE_TEMPLATE("X-H2: what emerges below is cut by the upper horizon", K, VI
     CHECK(last_lines<K, PrintedFloatingHorizon>(scene) == Lines{{2, 8, 17.5, 8, 17.5}});
 }
 
-TEST_CASE_TEMPLATE("X-H3: a curve beyond the screen hides what is not behind it", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-H3: a curve beyond the screen hides curves that are not behind it", K, VIDNO_PRINTED_KERNELS) {
     // Both are below the screen; the second is above the first, and below the upper horizon's start.
     const auto scene = CurveSceneBuilder({0, 0, 9, 8}).curve({{0, 20}, {8, 20}}).curve({{0, 14}, {8, 14}}).build();
     CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 14, 8, 14}});
     CHECK(last_lines<K, OnlyXH3>(scene).empty());
 }
 
-TEST_CASE_TEMPLATE("X-H4: a curve meets what it has raised itself, and its own side edge", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-H4: a curve is compared with horizons that it raised itself, and with its own side edge", K,
+                   VIDNO_PRINTED_KERNELS) {
     const auto dips = between_4_and_12({{0, 2}, {1, 3}, {2, 7}});
     CHECK(last_lines<K, CorrectedFloatingHorizon>(dips) == Lines{{2, 0, 2, 1, 3}, {2, 1, 3, 1.25, 4}});
     CHECK(last_lines<K, OnlyOwnHorizon>(dips) == Lines{{2, 0, 2, 1, 3}});
@@ -547,7 +550,7 @@ TEST_CASE_TEMPLATE("X-H5: a peak between two samples hides nothing", K, VIDNO_PR
     CHECK(last_lines<K, PrintedFloatingHorizon>(scene) == Lines{{2, 0, 5, 12, 5}});
 }
 
-TEST_CASE_TEMPLATE("X-H6: from where both horizons meet to below them is taken for a crossing", K,
+TEST_CASE_TEMPLATE("X-H6: a segment from where both horizons meet to below them counts as a crossing", K,
                    VIDNO_PRINTED_KERNELS) {
     // The curve reaches the lower horizon over both columns, so there is no change, and the line begins at the second.
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).curve({{0, 8}, {8, 16}}).build();

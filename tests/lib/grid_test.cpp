@@ -30,7 +30,7 @@ TEST_CASE("Snapping: to the nearest point of the grid, a tie away from 0") {
     CHECK(snapped(7, 2) == 7);
 }
 
-TEST_CASE("Snapping: what lies on the grid stays whole, another polygon becomes a fan") {
+TEST_CASE("Snapping: a polygon on the grid stays whole, another one becomes a fan") {
     const Scene scene = SceneBuilder({0, 0, 8, 8})
                             .quad(1, 1, 6.5, 6, .5)
                             .polygon({{1, 1, 0}, {7, 1.125, 0}, {7, 7, 0}, {1, 7, 0}})
@@ -51,7 +51,7 @@ TEST_CASE("Snapping: what lies on the grid stays whole, another polygon becomes 
     CHECK(snapped_scene(scene, 3).change().empty());
 }
 
-TEST_CASE("Snapping: what it did, in words") {
+TEST_CASE("Snapping: the changes in words") {
     const Scene scene = SceneBuilder({0, 0, 8, 8})
                             .polygon({{1, 1, 0x1p-25}, {7, 1, 0}, {4, 1.0625, 0}})
                             .quad(1, 1, 6.75, 6, .5)
@@ -86,7 +86,7 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
     CHECK(wrong_in_double > 0);
 }
 
-TEST_CASE("At the widest that fits, ties and slivers are decided all the same") {
+TEST_CASE("At the greatest width, ties and slivers are still decided right") {
     // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes differ by one step of z, and the sliver's sides, one step apart,
     // pass through centres.
     const double step = 0x1p-20;

@@ -34,13 +34,13 @@ void on_random_scenes(unsigned seed, Check check) {
 
 }  // namespace
 
-TEST_CASE("Vertices begun at another one") {
+TEST_CASE("Outlines that start at another vertex") {
     on_random_scenes(1, [](const Scene& scene) {
         check_same_colors(scene, changed(scene, [](auto& v) { std::rotate(v.begin(), v.begin() + 1, v.end()); }));
     });
 }
 
-TEST_CASE("Vertices the other way round") {
+TEST_CASE("Outlines in the opposite direction") {
     on_random_scenes(2, [](const Scene& scene) {
         check_same_colors(scene, changed(scene, [](auto& v) { std::reverse(v.begin(), v.end()); }));
     });

@@ -100,17 +100,17 @@ Scene two_squares(double first_z, double second_z) {
 
 }  // namespace
 
-TEST_CASE("One list: what the first part removes is missing in the last") {
+TEST_CASE("One list: a polygon that the first part removes is missing in the last") {
     // The lower right one of the four windows of 1 x 1 is on top of the stack. A ends at x = 0.75, left of it, and leaves the list. It
     // holds the centre (1/2, 1/2): its side passes there at x = 3/4 (1 - 1/4) = 9/16.
     check_witness(Deviation::one_list, {{0, 0, ""}});
 }
 
-TEST_CASE("One list: a window that is not split has no brothers") {
+TEST_CASE("One list: a window that is not split has no siblings") {
     check_harmless(Deviation::one_list, SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
 }
 
-TEST_CASE("Depths not cleared: what lies behind z = 0 never shows") {
+TEST_CASE("Depths not cleared: a polygon behind z = 0 never shows") {
     // z = x - 1: -1/2 at the centre of the first pixel, 1/2 at that of the second.
     check_witness(Deviation::depths_not_cleared, {{0, 0, ""}});
     // z = 0 itself is not nearer than 0.
@@ -119,7 +119,7 @@ TEST_CASE("Depths not cleared: what lies behind z = 0 never shows") {
                      [&](const Picture& painted, const auto&) { CHECK(painted.at(0, 0) == level.background); });
 }
 
-TEST_CASE("Depths not cleared: what lies before z = 0 shows") {
+TEST_CASE("Depths not cleared: a polygon in front of z = 0 shows") {
     check_harmless(Deviation::depths_not_cleared, two_squares(.25, .5));
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("Depth sign reversed: without an overlap depths do not matter, nor do 
     check_harmless(Deviation::depth_sign_reversed, two_squares(.5, .5));
 }
 
-TEST_CASE("Boundary outside: the centre on a shared edge belongs to nobody") {
+TEST_CASE("Boundary outside: the centre on a shared edge belongs to neither polygon") {
     // x + y = 1 at (1/2, 1/2).
     check_witness(Deviation::boundary_outside, {{0, 0, ""}});
 }
@@ -202,17 +202,17 @@ TEST_CASE("Surround kept: a nearer polygon inside the window is overlooked") {
     check_witness(Deviation::surround_kept, {{0, 0, "A"}});
 }
 
-TEST_CASE("Surround kept: with the near polygon first there is nothing to take back") {
+TEST_CASE("Surround kept: with the near polygon first the picture is right") {
     check_harmless(Deviation::surround_kept, SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build());
 }
 
-TEST_CASE("Vertex counted twice: what a ray leaves through a vertex is taken to be outside") {
+TEST_CASE("Vertex counted twice: a polygon that a ray leaves through a vertex counts as outside") {
     // The ray from (1/2, 1/2) meets the outline of A only in the vertex (3, 1/2), and pierces it there. The outline surrounds the window:
     // at x = 1 it is at y = -1/4 and y = 5/4.
     check_witness(Deviation::vertex_counted_twice, {{0, 0, ""}});
 }
 
-TEST_CASE("Vertex counted twice: a ray that meets edges alone, or touches, is counted right") {
+TEST_CASE("Vertex counted twice: a ray that only crosses edges, or touches a vertex, is counted right") {
     // The heights of vertices are not multiples of 1/2; those of all windows' centres are.
     check_harmless(Deviation::vertex_counted_twice,
                    SceneBuilder(area_16).quad(-1, -1.25, 17, 17.25, 0).quad(2, 3.75, 12, 9.25, .5).build());
@@ -223,7 +223,7 @@ TEST_CASE("Vertex counted twice: a ray that meets edges alone, or touches, is co
                                                         .build());
 }
 
-TEST_CASE("Octants not split: what lies around a corner is taken to surround") {
+TEST_CASE("Octants not split: a polygon around a corner counts as surrounding") {
     // The edge from (1, -1) to (-1, 1) passes through the corner (0, 0), with A beyond it.
     check_witness(Deviation::octants_not_split, {{0, 0, "A"}});
 }

@@ -111,7 +111,7 @@ TEST_CASE("A quad that is planar only within the tolerance") {
                            .build());
 }
 
-TEST_CASE("Where rounding decides nothing, `float` and `double` paint the picture rule as well") {
+TEST_CASE("Where rounding decides nothing, `float` and `double` paint the picture rule too") {
     const Scene scene = SceneBuilder(area_16)
                             .quad(2, 2, 10, 10, .25)
                             .quad(6, 6, 14, 14, .5)

@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("X-W3: a nearer polygon that does not surround is overlooked"
     CHECK(wrong_pixels<Printed, K>(scene) == 64);
 }
 
-TEST_CASE("X-W4: the search for the first sign runs off the list") {
+TEST_CASE("X-W4: the search for the first sign runs past the end of the list") {
     // All three cross products are 0 as `double` computes them at (0, 0); the polygon is not edge-on.
     const Scene scene = SceneBuilder(area_16).polygon({{6.1, .61, 0}, {8.4, .8400000000000001, 0}, {2, .2, 0}}).build();
     REQUIRE_FALSE(scene.polygons[0].edge_on);
@@ -99,7 +99,7 @@ TEST_CASE("X-W5: halving an area that is no power of two ends inside pixels") {
     CHECK(wrong(10, OnlyXW5{}) == 5);
 }
 
-TEST_CASE_TEMPLATE("X-W6: a plane through collinear vertices is none", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-W6: three collinear vertices give no plane", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene =
         SceneBuilder({0, 0, 2, 2}).polygon({{0, 0, 0}, {1, 1, .125}, {2, 2, .25}, {0, 2, .875}}).build();
     const auto plane = Stage<K, Printed>(scene).polygon().plane;

@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("X-Z1: the same with a level top, where no division by zero c
         SceneBuilder(area_16).polygon({{2, 1.2, .5}, {4, 1.2, .5}, {12, 5.3, .5}, {3, 9.4, .5}}).build());
 }
 
-TEST_CASE("X-Z2: a line beside the area is never rejected") {
+TEST_CASE("X-Z2: a line outside the area is never rejected") {
     // 8 rows, all right of the area.
     const Scene scene = SceneBuilder(area_16).quad(20, 0, 30, 8, 0).build();
     CHECK(rejected_lines<Corrected>(scene) == 8);
@@ -144,7 +144,7 @@ struct LastNext : NoTrace {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("X-Z8: of an empty AEL there is no least element, and the run goes on", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z8: an empty AEL has no least element, and the run goes on", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).build();
     bool none = false;
     render<Printed>(Method::zbuffer, scene, K{}, LastNext(none));

@@ -9,7 +9,7 @@
 using namespace vidno;
 using namespace vidno::test;
 
-TEST_CASE_TEMPLATE("Sufficient: the lists of the Warnock family as well", K, Double, Filtered, Exact) {
+TEST_CASE_TEMPLATE("Sufficient: the lists of the Warnock family", K, Double, Filtered, Exact) {
     RandomScenes random(12);
     int compared = 0;
     for (int i = 0; i < 25; ++i) {

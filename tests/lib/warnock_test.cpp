@@ -90,7 +90,7 @@ TEST_CASE_TEMPLATE("Depth: on the plane, inside the polygon and outside it", K, 
     CHECK(depth(-8, 4) == -.25);
 }
 
-TEST_CASE_TEMPLATE("PolygonClip: a triangle by a window that cuts three corners off", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("PolygonClip: a window cuts three corners off a triangle", K, VIDNO_KERNELS) {
     // Left of 1, above 1, right of 5 and below 5 go; the diagonal x + y = 8 meets x = 5 at y = 3 and y = 5 at x = 3.
     Stage<K> stage(scene_of(tilted_triangle));
     const auto clipped = Corrected::polygon_clip(stage.run, stage.polygon(), Window{1, 1, 4, 4});
@@ -98,7 +98,8 @@ TEST_CASE_TEMPLATE("PolygonClip: a triangle by a window that cuts three corners 
     CHECK(as_set(clipped) == expected);
 }
 
-TEST_CASE_TEMPLATE("PolygonClip: what touches the window stays, what lies apart goes", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("PolygonClip: a polygon that touches the window stays, one that lies apart vanishes", K,
+                   VIDNO_KERNELS) {
     Stage<K> stage(scene_of(tilted_triangle));
     CHECK(Corrected::polygon_clip(stage.run, stage.polygon(), Window{9, 9, 2, 2}).empty());
     CHECK(Corrected::polygon_clip(stage.run, stage.polygon(), Window{-4, -4, 16, 16}).size() == 3);
@@ -227,7 +228,7 @@ TEST_CASE_TEMPLATE("Warnock: one window for a scene without polygons or with one
     CHECK(windows == 1);
 }
 
-TEST_CASE_TEMPLATE("Warnock: depths below 0 hide as well as others", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("Warnock: depths below 0 hide like others", K, VIDNO_KERNELS) {
     // The nearer quad surrounds the first window and is nearest at its corners: nothing is split (X-W2: 1 window).
     const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
     int windows = 0;

@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("A polygon is cut to the area", K, VIDNO_REGION_KERNELS) {
     CHECK_MESSAGE(stage.part_in_area(4).empty(), "beside");
 }
 
-TEST_CASE("InsertionSort: in order and stable, and what is no number stays in its place") {
+TEST_CASE("InsertionSort: in order and stable, and NaN stays in its place") {
     std::vector<std::pair<int, char>> items{{2, 'a'}, {1, 'a'}, {2, 'b'}, {1, 'b'}};
     insertion_sort(items, [](const auto& a, const auto& b) { return a.first < b.first; });
     CHECK(items == std::vector<std::pair<int, char>>{{1, 'a'}, {1, 'b'}, {2, 'a'}, {2, 'b'}});
@@ -227,8 +227,7 @@ TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of
     CHECK(places_of(stage.run.depth_sort(Line::WA3, stage.all_pieces())) == std::vector{0, 2, 4, 1, 3});
 }
 
-TEST_CASE_TEMPLATE("RemoveBehind: what is nearer stays, of coplanar ones the first of the scene", K,
-                   VIDNO_REGION_KERNELS) {
+TEST_CASE_TEMPLATE("RemoveBehind: nearer polygons stay, and the first of coplanar ones", K, VIDNO_REGION_KERNELS) {
     // All lie over the same square. The third meets the clip polygon along x = 2 and is in front of it elsewhere, the fourth is behind.
     WeilerAthertonStage<K> stage(SceneBuilder(area_16)
                                      .quad(2, 2, 10, 10, .5)
@@ -273,7 +272,7 @@ TEST_CASE_TEMPLATE("A near square leaves a ring of the far quad", K, VIDNO_REGIO
     }
 }
 
-TEST_CASE_TEMPLATE("What is sorted last may be in front", K, VIDNO_REGION_KERNELS) {
+TEST_CASE_TEMPLATE("A polygon that is sorted last may be in front", K, VIDNO_REGION_KERNELS) {
     // The tilted quad, z = x / 16, reaches z = 1 and is sorted first. It is in front of the square at x >= 12, and behind it at x <= 4.
     const Corners tilted{{0, 0, 0}, {16, 0, 1}, {16, 16, 1}, {0, 16, 0}};
     CHECK(visible_areas<K>(SceneBuilder(area_16).quad(12, 4, 16, 8, .5).polygon(tilted).build()) ==
@@ -304,7 +303,7 @@ TEST_CASE_TEMPLATE("Two triangles that pierce each other", K, VIDNO_REGION_KERNE
     CHECK(visible_areas<K>(scene) == std::map<int, double>{{0, 48}, {1, 48}});
 }
 
-TEST_CASE_TEMPLATE("Of equal polygons the first shows, and edge-on ones do not", K, VIDNO_REGION_KERNELS) {
+TEST_CASE_TEMPLATE("The first of equal polygons shows, and edge-on ones do not", K, VIDNO_REGION_KERNELS) {
     const Scene scene = SceneBuilder(area_16)
                             .polygon({{0, 0, 1}, {16, 16, 1}, {8, 8, -1}})
                             .polygon(near_square)
@@ -324,7 +323,7 @@ TEST_CASE_TEMPLATE("No polygons, or none in the area: no regions", K, VIDNO_REGI
 
 TEST_CASE_TEMPLATE("The picture: outlines through centres belong to the nearest, then to the first", K,
                    VIDNO_REGION_KERNELS) {
-    SUBCASE("a hole's outline belongs to what is in it, the outline between two neighbours to the first") {
+    SUBCASE("the outline of a hole belongs to the polygon in it, a common edge to the first polygon") {
         const Scene scene =
             SceneBuilder({0, 0, 4, 4}).quad(0, 0, 2.5, 4, 0).quad(2.5, 0, 4, 4, 0).quad(.5, .5, 1.5, 1.5, .5).build();
         const Picture picture = visible_regions(scene, K{}).picture;
@@ -383,7 +382,7 @@ struct HearLabels : NoTrace {
 
 }  // namespace
 
-TEST_CASE("A run tells each line of the listing that it comes to") {
+TEST_CASE("A run of Weiler and Atherton's algorithm reports each line of the listing that it reaches") {
     // The second is sorted first, since it rises to z = 1/2 at x = 2, yet the first is nearer where it lies, over x <= 1. So the part
     // inside the second one's outline becomes a list with both, and the rest of the second outside the first becomes a separate list.
     // Their planes meet at x = 3/2, where the first is not, so they need not be clipped for that.
@@ -537,7 +536,7 @@ TEST_CASE("Cyclic overlap, a fan about a vertex, planes that meet in one line") 
                        .build(),
                    samples);
     }
-    SUBCASE("areas of any place") {
+    SUBCASE("areas at any position") {
         for (const Area area : {Area{-100, 40, 1, 9}, {-8, -8, 13, 11}, {1 << 30, -(1 << 30), 5, 6}}) {
             const double x = area.x, y = area.y;
             check_both(SceneBuilder(area)
@@ -585,14 +584,14 @@ TEST_CASE_TEMPLATE("A constructed number is shown as the double nearest to it", 
     CHECK(visible_areas<K>(scene).at(0) == 32. / 77);
 }
 
-TEST_CASE("A double next to a rational number, and one of two equally near ones") {
+TEST_CASE("The nearest double of a rational number, and the even one of two equally near ones") {
     CHECK(nearest_double(Rational(32) / Rational(77)) == 32. / 77);
     CHECK(nearest_double(Rational(1) + Rational(0x1p-53)) == 1);                // even, as 1 + 2^-52 is not
     CHECK(nearest_double(Rational(1) + Rational(3 * 0x1p-53)) == 1 + 0x1p-51);  // even, as 1 + 2^-52 is not
     CHECK(nearest_double(-Rational(0x1p-1074) * Rational(0.75)) == -0x1p-1074);
 }
 
-TEST_CASE("Filtered asks for exact arithmetic where there are coincidences, and nowhere else") {
+TEST_CASE("Filtered uses exact arithmetic only at coincidences") {
     const auto asked = [](const Scene& scene) {
         int exact = 0;
         visible_regions(scene, FilteredBy(CountExact{&exact}));
@@ -619,7 +618,7 @@ TEST_CASE("Filtered asks for exact arithmetic where there are coincidences, and 
                   .build()) > 0);
 }
 
-TEST_CASE_TEMPLATE("Kernels that round come to an end, and say where an outline does not close", K, Float, Double,
+TEST_CASE_TEMPLATE("Runs under kernels that round end, and report outlines that do not close", K, Float, Double,
                    Bits24) {
     RandomScenes random(34);
     int faults = 0;

@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("ZBuffer: the closed outline is painted", K, VIDNO_KERNELS) {
     }
 }
 
-TEST_CASE_TEMPLATE("ZBuffer: depth -1 and 1 are visible, of equal depths the first wins", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("ZBuffer: depths -1 and 1 are visible, and the first of equal depths wins", K, VIDNO_KERNELS) {
     const Scene scene = SceneBuilder({0, 0, 3, 1}).quad(0, 0, 3, 1, -1).quad(1, 0, 3, 1, 1).quad(2, 0, 3, 1, 1).build();
     const Picture picture = render(Method::zbuffer, scene, K{});
     CHECK(picture.at(0, 0) == color_of(0));

@@ -180,7 +180,7 @@ TEST_CASE("A step without a sign has no margin") {
     CHECK_THROWS_AS(margin_of(request, 1'000'000, {0}, 0), Refused);
 }
 
-TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly those that its label names") {
+TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the signs change that its label names") {
     RandomScenes random(31);
     const int cases = 1000 / thinning;
     int margins = 0, inside = 0, beyond = 0, on_lines = 0;

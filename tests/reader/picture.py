@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Rebuilds from the events of a trace what its run painted or drew, and compares that with what its last line says.
+"""Rebuilds the picture or the lines of a run from the events of its trace and compares them with the hash in the last line.
 
     picture.py TRACE...        .jsonl or .jsonl.gz
 
-Written from trace/FORMAT.md alone: it shares nothing with the program, and takes no more than events that paint or draw.
-Exit status 1: a trace is not what it says.
+It is written from trace/FORMAT.md only, shares no code with the program, and uses only the events that paint or draw.
+The exit status is 1 if a trace differs from its last line.
 """
 
 import gzip
@@ -14,7 +14,7 @@ import sys
 
 
 class Wrong(Exception):
-    """A trace that is not what it says, or that FORMAT.md does not allow."""
+    """A trace that differs from its last line, or that FORMAT.md does not allow."""
 
 
 class Number(str):
@@ -35,14 +35,14 @@ def expect(holds, what):
 
 
 class Picture:
-    """What polygons paint."""
+    """The picture that polygons paint."""
 
     result = "picture"
 
     def __init__(self, scene):
         self.x, self.y, self.width, self.height = (int(scene["window"][key]) for key in ("x", "y", "width", "height"))
         self.rows = [[colour_of(scene["background"])] * self.width for _ in range(self.height)]
-        self.polygon_colour = None  # of the Z-buffer's current polygon
+        self.polygon_colour = None  # the colour of the Z-buffer's current polygon
 
     def take(self, event):
         name = event["e"]
@@ -81,7 +81,7 @@ def colour_of(text):
 
 
 class Lines:
-    """What curves draw."""
+    """The lines that curves draw."""
 
     result = "lines"
 
@@ -121,12 +121,12 @@ class Lines:
 
 
 def point(values):
-    """As the events have it: a fraction is a string."""
+    """Writes a point as the events do: a fraction is a string."""
     return "[" + ",".join(v if isinstance(v, Number) else json.dumps(v) for v in values) + "]"
 
 
 def check(lines):
-    """Throws Wrong if the lines of a trace are not what the last one says; else how many events there are."""
+    """Returns the number of events. Raises Wrong if the events of a trace differ from its last line."""
     lines = iter(lines)
     header = read_json(next(lines, "{}"))
     expect(header.get("format") == "vidno-trace/1", "not a trace")

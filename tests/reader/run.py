@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Traces of all methods, read by picture.py, which must take each of them and refuse it once it is changed.
+"""Checks that picture.py accepts traces of all methods, and rejects them after a change.
 
     run.py VIDNO LESSONS WORK        the program, the folder of lessons, a folder for traces
 """
@@ -19,11 +19,11 @@ EVERY_KERNEL = ["float", "double", "bits:9", "filtered", "exact"]
 
 
 def runs(choices):
-    """Scenes below the lessons, each with the options of its runs. The choices are those of `vidno methods --json`."""
+    """Yields scenes of the lessons, each with the options of a run. The choices are those of `vidno methods --json`."""
     methods = choices["methods"]
     family = [method for method in methods if method.startswith("warnock-")]
     of_any_scene = [method for method in family if not methods[method]["domain"].startswith("closed")]
-    bodies = "11-warnock-family/bodies.json"  # which every method takes
+    bodies = "11-warnock-family/bodies.json"  # every method accepts it
     for method in COURSE + family + REGIONS:
         kernels = EVERY_KERNEL + ([] if method in REGIONS else ["grid:4"])
         for place, kernel in enumerate(kernels):

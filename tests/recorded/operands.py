@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Checked traces of two programs, told apart by their operands alone?
+"""Checks that the checked traces of two programs differ only in their operands.
 
 usage: operands.py OLD_PROGRAM NEW_PROGRAM SCENE...
 
-Runs each scene by all methods that take it, under float, double, bits:9, filtered and exact, with --check at level signs. From the lines
-of the new program the field `operands` is cut out; what is left must be the bytes of the old one. Of `columns` the older program told
-no truth: there `exact` is cut out, too, and a `disagree` of first_centre or last_centre may come one event later. Says how many
-traces are the same, and how many but for `columns`.
+Runs each scene by all methods that take it, under float, double, bits:9, filtered and exact, with --check at level signs. Removes the
+field `operands` from the lines of the new program; the rest must be the bytes of the old program. The old program did not check
+`columns`, so there the field `exact` is removed too, and a `disagree` about first_centre or last_centre may come one event later. Prints
+how many traces are the same, and how many are the same except for `columns`.
 """
 import json
 import subprocess
@@ -28,7 +28,7 @@ def without_operands(line):
 
 
 def but_for_columns(lines):
-    """The lines, those of `columns` without a truth, and which `disagree` about columns there are apart from them."""
+    """The lines, with `columns` without `exact`, and separately the `disagree` events about columns."""
     rest, apart = [], []
     for line in lines:
         event = json.loads(line)

@@ -12,7 +12,7 @@ namespace {
 
 using Whole = std::int64_t;
 
-/// splitmix64.
+/// The generator splitmix64.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -35,7 +35,7 @@ private:
     std::uint64_t state_;
 };
 
-/// x and y in thousandths of a pixel, z in units of 10^-10: eighths of pixels and 1/1024 of depth are whole.
+/// x and y in thousandths of a pixel, z in units of 10^-10, so that eighths of a pixel and depths in 1/1024 are integers.
 struct Place {
     Whole x = 0, y = 0, z = 0;
 };
@@ -53,7 +53,7 @@ std::string padded(const std::string& digits, std::size_t places) {
     return std::string(places > digits.size() ? places - digits.size() : 0, '0') + digits;
 }
 
-/// value / 10^places.
+/// value / 10^places, as a decimal number.
 std::string decimal(Whole value, std::size_t places) {
     const std::string digits = padded(std::to_string(value < 0 ? -value : value), places + 1);
     return (value < 0 ? "-" : "") + digits.substr(0, digits.size() - places) + '.' +
@@ -70,7 +70,7 @@ Whole turn(const Place& p, const Place& q, const Place& r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
 
-/// The convex outline of the places, or, with less than three corners, nothing.
+/// The convex hull of the places; empty if it has fewer than three corners.
 Places outline_of(Places places) {
     const auto before = [](const Place& p, const Place& q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
     std::sort(places.begin(), places.end(), before);
@@ -90,9 +90,9 @@ Places outline_of(Places places) {
     return has_area ? outline : Places{};
 }
 
-/// The depth over a place, as it is on a lattice of eighths of a pixel about the middle of an area.
+/// A plane of depths over places on a lattice of eighths of a pixel, with its origin in the middle of an area.
 struct Plane {
-    Whole a, b, c;  // in 1/1024: by eighths of a pixel to the right, downward, and in the middle
+    Whole a, b, c;  // in 1/1024: change for an eighth of a pixel to the right, downward; depth in the middle
 
     Whole depth(const Area& area, const Place& place) const {
         const Whole x = (place.x - pixel * (area.x + area.width / 2)) / 125;
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    /// Perhaps the other way round, and from another vertex on.
+    /// Adds a polygon, perhaps reversed, from a random vertex on.
     void add(Places places) {
         if (places.size() < 3) return;
         if (random_.one_in(2)) std::reverse(places.begin(), places.end());
@@ -171,7 +171,7 @@ private:
         }
     }
 
-    /// Two vertices at one place, and one amid an edge, are allowed.
+    /// Repeats a vertex or adds one in the middle of an edge; both are admissible.
     void add_idle_vertex(Places& places) {
         const auto i = std::size_t(random_.whole(0, Whole(places.size()) - 1));
         const Place p = places[i], q = places[(i + 1) % places.size()];
@@ -191,7 +191,7 @@ private:
         add(raised(places, random_.one_of(planes_)));
     }
 
-    /// A polygon cut in two along a diagonal, or one triangle over each edge of another.
+    /// Adds a polygon cut in two along a diagonal, or a triangle on each edge of another triangle.
     void add_neighbours() {
         const Places places = outline(500);
         const Plane common = random_.one_of(planes_);
@@ -218,7 +218,7 @@ private:
         return places;
     }
 
-    /// Two triangles with a common edge: a crease.
+    /// Adds two triangles with a common edge: a crease.
     void add_folded() {
         Places places{place(250), place(250), place(250), place(250)};
         for (auto& p : places) p.z = random_.whole(-8, 8) * 64 * depth_unit;
@@ -256,7 +256,7 @@ private:
         return places;
     }
 
-    /// One that is there already, perhaps a little nearer or farther.
+    /// Adds a polygon of the scene again, perhaps a little nearer or farther.
     void add_again() {
         Places places = random_.one_of(polygons_);
         const Whole nearer = random_.whole(-1, 1) * depth_unit;
@@ -275,7 +275,7 @@ private:
     }
     Way way() { return {random_.whole(-8, 8), random_.whole(-8, 8), random_.whole(-4, 4)}; }
 
-    /// A parallelepiped or a tetrahedron, its faces counter-clockwise as seen from outside.
+    /// Adds a parallelepiped or a tetrahedron, with faces counter-clockwise as seen from outside.
     void add_body() {
         const Place corner = place(500);
         const Whole z = random_.whole(-4, 4);
@@ -340,7 +340,7 @@ public:
     }
 
 private:
-    using Samples = std::vector<std::pair<Whole, Whole>>;  // the column; the height in millionths
+    using Samples = std::vector<std::pair<Whole, Whole>>;  // column, and height in millionths
 
     Samples curve() {
         const Whole right = area_.x + area_.width - 1;
@@ -359,11 +359,11 @@ private:
             case 0: return random_.whole(0, 4) * 1000000;
             case 1: return random_.one_in(4) ? random_.whole(0, 1) * 16000000 : 8000000;  // peaks
             case 2: return random_.whole(-64, 1088) * 15625;
-            default: return random_.whole(0, 30) * 100000;  // on tenths, which doubles do not have
+            default: return random_.whole(0, 30) * 100000;  // tenths, which doubles do not represent exactly
         }
     }
 
-    /// The same curve, perhaps with fewer samples, or mirrored in a level line.
+    /// The same curve, perhaps mirrored in a horizontal line and with fewer samples.
     Samples variant(Samples samples) {
         if (random_.one_in(2)) {
             for (auto& [x, y] : samples) y = 4000000 - y;

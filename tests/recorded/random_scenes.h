@@ -1,5 +1,5 @@
-/// Random scenes as text, the same ones for ever: whole numbers alone, and nothing of the library, make them. A change here
-/// changes every hash that is recorded of them.
+/// Random scenes as text, the same ones forever. They are made with integers only and without the library. A change here changes all of
+/// their recorded hashes.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace vidno::recorded {
 
-/// `vidno-scene/1`, admitted. By the number: polygons on a coarse lattice, coplanar ones, neighbours with a common edge, any
-/// triangles, slivers, edge-on and far ones; each eighth scene consists of closed convex bodies.
+/// An admissible `vidno-scene/1`. Depending on the number, it has polygons on a coarse lattice, coplanar ones, neighbours with a common
+/// edge, arbitrary triangles, slivers, edge-on or far ones, or a mixture. Every eighth scene consists of closed convex bodies.
 std::string random_scene(std::uint64_t number);
 
-/// `vidno-surface/1`: few heights, equal curves, samples on other curves, peaks, all steps.
+/// A `vidno-surface/1`. Depending on the number, it has few heights, peaks, arbitrary heights or tenths. Curves may repeat.
 std::string random_surface(std::uint64_t number);
 
 }  // namespace vidno::recorded

@@ -1,17 +1,17 @@
-/// Recorded hashes: every run of the scenes of a group, held against the hashes of runs of an earlier commit.
+/// Recorded hashes: compares every run of the scenes of a group with the hashes of an earlier commit.
 ///
-///     vidno_recorded GROUP                    compares with GROUP.txt
-///     vidno_recorded GROUP --every N          of each Nth scene alone: the scenes' hashes
-///     vidno_recorded GROUP --write            writes that file
-///     vidno_recorded GROUP --runs             the hash of each run, a line each: two programs' answers may be compared
-///     vidno_recorded GROUP --scene NAME       the scene as a file
+///     vidno_recorded GROUP                    compares the hashes with those in GROUP.txt
+///     vidno_recorded GROUP --every N          compares the hashes of every Nth scene only
+///     vidno_recorded GROUP --write            writes GROUP.txt
+///     vidno_recorded GROUP --runs             prints the hash of each run in a line, to compare two programs
+///     vidno_recorded GROUP --scene NAME       prints the scene
 ///
-/// A run is a scene, a method with its edition and kernel, and a way to tell it. A list of all hashes would be too long, so they are
-/// recorded along the three sides of that table: a hash of each scene in all its runs, of each method in all its scenes and ways, and
-/// of each way. A run that changed is where a scene, a method and a way meet whose hashes changed.
+/// A run is determined by a scene, a method with its edition and kernel, and a way to report it. A list of the hashes of all runs would be
+/// too long. So the file has one hash for all runs of each scene, one for all runs of each method, and one for all runs of each way. A run
+/// changed if the hashes of its scene, its method and its way changed.
 ///
-/// The scenes take turns: each is run at all levels, but checked at one, exact runs even more rarely, and its states are taken at one,
-/// under one kernel.
+/// To save time, the scenes take turns. Each runs at all levels, but it is checked at one level only, and under `exact` only a third of
+/// the scenes are checked. Its states are taken at one level, under one kernel.
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -42,7 +42,7 @@ namespace vidno::recorded {
 
 namespace {
 
-/// A run that tells more is stopped: its trace says so, and is the same each time.
+/// Longer runs stop here. Their traces say so and are the same each time.
 constexpr std::uint64_t most_events = 3000;
 constexpr std::uint64_t most_events_checked = 20000;
 constexpr std::uint64_t most_states = 500;
@@ -65,7 +65,7 @@ private:
 
 struct NamedScene {
     std::string name;
-    std::string text;  // of a file that the program takes
+    std::string text;  // the text of its file
 };
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
@@ -128,9 +128,9 @@ AnyScene scene_in(const NamedScene& scene) {
     return read_scene(scene.text, scene.name).scene;
 }
 
-// Methods, each in its editions and under kernels that run it
+// Methods, each in the editions and under the kernels that run it
 
-/// Which numbers behind the colon of a kernel are run.
+/// The parameters of a kernel, such as the bits of `bits:9`, to run.
 std::vector<int> numbers_of(const KernelChoice& choice) {
     if (choice.kind == KernelKind::bits) return {4, 9, 24};
     if (choice.kind == KernelKind::depth) return {8};
@@ -147,7 +147,7 @@ struct FloatingHorizonMethod {
     NamedKernel kernel;
 };
 
-/// As options of the program.
+/// The options of the program that select the method.
 std::string options_of(std::string_view method, Edition edition, const NamedKernel& kernel) {
     return "--method " + std::string(method) + " --edition " + name_of(edition) + " --kernel " + kernel.name();
 }
@@ -184,9 +184,9 @@ std::vector<FloatingHorizonMethod> floating_horizon_methods() {
     return methods;
 }
 
-// Ways to tell a run
+// Ways to report a run
 
-/// The picture or the lines without a trace, how often the run reported progress, what else came out of it.
+/// The results of a run without a trace: the picture or the lines, the number of calls of `progress`, and the regions if there are any.
 std::string result_of(RunRequest request) {
     std::uint64_t steps = 0;
     request.progress = [&] { ++steps; };
@@ -229,7 +229,7 @@ FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
     return FloatingHorizonState(reader.header());
 }
 
-/// What `vidno replay` writes of each state.
+/// The hash of the states that `vidno replay` writes.
 Hash states_of(const std::string& trace) {
     AnyTraceReader opened = open_trace(LineReader::of_text(trace), "trace");
     return std::visit(
@@ -247,7 +247,7 @@ Hash states_of(const std::string& trace) {
         opened);
 }
 
-/// What `vidno check` finds. A distance has six digits, in which the square roots of all machines agree.
+/// The findings of `vidno check`. A distance has six digits, in which the square roots of all machines agree.
 std::string text_of(const DecisionReport& report) {
     std::ostringstream text;
     text << std::setprecision(6) << report.intersections << ' ' << report.farthest_off;
@@ -268,7 +268,7 @@ std::string findings_in(const FloatingHorizonRequest& request) {
     const FloatingHorizonCheckReport report = check_run(request);
     return text_of(report) + '\n' + std::to_string(report.wrong_columns);
 }
-/// Nothing of a run that is too long: with few bits the printed Z-buffer may step on for very long.
+/// Empty if the run is too long: with few bits the printed Z-buffer may step for a very long time.
 std::string findings_of(auto request, const auto& scene) {
     request.detail = Detail::signs;
     TraceWriter writer(
@@ -276,7 +276,7 @@ std::string findings_of(auto request, const auto& scene) {
     return write_trace(request, writer) ? findings_in(request) : "";
 }
 
-/// Which ways a scene is run in. By its name, so that a scene that is added changes no turn of another.
+/// The ways to run a scene. They depend on its name only, so a new scene does not change the turns of the others.
 struct Turn {
     std::size_t number;
     bool all;
@@ -288,15 +288,14 @@ struct Turn {
         return all || (number % 3 == detail && (kernel != "exact" || number / 3 % 3 == 0));
     }
     bool counts(std::string_view kernel) const { return all || (number % 6 == 5 && kernel != "exact"); }
-    /// What events do to a state has little to do with the kernel: one of doubles and one of fractions.
+    /// The effect of events on a state hardly depends on the kernel, so one kernel of doubles and one of fractions suffice.
     bool takes_states(std::size_t detail, std::string_view kernel) const {
         if (all) return kernel == "double" || kernel == "exact";
         return number / 3 % 3 == detail && kernel == (number / 9 % 2 == 0 ? "double" : "exact");
     }
 };
 
-/// Hears the hash of each way of one run: without a trace, at all levels, checked, and of its
-/// states.
+/// Calls `hear` with each way and its hash: without a trace, at all levels, checked, and the states.
 void tell_in_each_way(auto request, const auto& scene, const Turn& turn, auto&& hear) {
     const std::string kernel = request.kernel.name();
     hear("without a trace", hash_of(result_of(request)));
@@ -328,7 +327,7 @@ void tell(const FloatingHorizonMethod& each, const Surface& surface, const Turn&
 
 // The table
 
-/// The hashes of a group, each under what it is of, in the order in which these came first.
+/// The hashes of a group by key, in the order in which the keys first came.
 class Hashes {
 public:
     void add(const std::string& key, std::string_view bytes) {
@@ -349,13 +348,13 @@ struct Table {
     std::uint64_t runs = 0;
 };
 
-/// As printed, the Z-buffer steps through all of the plane to where the vertices of one scene are: that takes minutes.
+/// The printed Z-buffer would step through all rows and columns as far as the distant vertices of this scene, which takes minutes.
 bool never_ends(const NamedScene& scene, const PolygonMethod& each) {
     return scene.name == "12-ray-crossings/far" && each.method == Method::zbuffer && each.edition == Edition::printed;
 }
 bool never_ends(const NamedScene&, const FloatingHorizonMethod&) { return false; }
 
-/// The runs of a scene.
+/// Adds the hashes of the runs of a scene to the table.
 void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
     const Turn turn(named.name, all);
     const auto add = [&](const auto& scene, const auto& methods) {
@@ -408,7 +407,7 @@ void write(const std::string& group, const Table& table) {
     write_file(hashes_file(group), text);
 }
 
-/// The lines of a file, those of `kind` alone.
+/// The lines of a file that are of `kind`.
 std::vector<std::string> recorded_lines(const std::string& file, const Kind& kind) {
     std::vector<std::string> lines;
     LineReader reader(file);
@@ -419,10 +418,10 @@ std::vector<std::string> recorded_lines(const std::string& file, const Kind& kin
     return lines;
 }
 
-/// What follows the kind and the hash.
+/// The part of a line after the kind and the hash.
 std::string key_of(const std::string& line) { return line.substr(line.find(' ', line.find(' ') + 1) + 1); }
 
-/// Says which hashes are not as they were recorded; how many.
+/// Prints which hashes differ from the recorded ones. Returns their number.
 std::size_t differences(const std::string& file, const Table& table, bool whole) {
     std::size_t different = 0;
     const auto say = [&](const std::string& what) {
@@ -456,7 +455,7 @@ void say_what_to_do(const std::string& group) {
               << " -o trace.jsonl\nCONTRIBUTING.md says under \"Recorded hashes\" when other hashes may be recorded.\n";
 }
 
-/// The runs of a group, of each `step`th scene.
+/// The table of the runs of every `step`th scene of a group.
 Table table_of(const std::vector<NamedScene>& scenes, bool all, std::size_t step = 1, bool print = false) {
     Table table;
     for (std::size_t i = 0; i < scenes.size(); i += step) add_runs(scenes[i], all, table, print);

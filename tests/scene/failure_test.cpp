@@ -34,7 +34,7 @@ bool says(const std::string& refusal, const std::string& reason) { return refusa
 
 }  // namespace
 
-TEST_CASE("Failures: what is to be seen must be something that there is") {
+TEST_CASE("Failures: an invalid description of what can be seen is refused") {
     const auto shows = [](const json& form) { return with("clip-pixel", {{"shows", form}}); };
     CHECK(shows({{"pixel", {3, 4}}}) == "read");
     CHECK(says(shows(json::object()), "/shows: shows nothing"));

@@ -249,7 +249,7 @@ TEST_CASE("everything but the vertices has a default") {
     CHECK(scene_json(scene).find(R"("window":{"x":-1,"y":2,"width":5,"height":4})") != std::string::npos);
 }
 
-TEST_CASE("colours begin again after the seventh, by the place in the scene") {
+TEST_CASE("colours repeat after the seventh, by the index in the scene") {
     std::string polygons;
     for (int i = 0; i < 8; ++i) polygons += R"({"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]},)";
     const Scene scene = read_scene(scene_with(polygons + triangle), "f.json").scene;
@@ -318,7 +318,7 @@ TEST_CASE("as many polygons as the limit allows, and not one more") {
     CHECK(without_places(message_for(scene_with(many))) == "f.json: /polygons: more than 1048576 polygons");
 }
 
-TEST_CASE("A document that does not say its format has that of its keys") {
+TEST_CASE("A document without a format has the format of its keys") {
     CHECK(document_format(R"({"window": {}, "polygons": [)") == "vidno-scene/1");
     CHECK(document_format(R"({"curves": []})") == "vidno-surface/1");
     CHECK(document_format(R"({"function": "x"})") == "vidno-surface/1");

@@ -105,7 +105,7 @@ TEST_CASE("Surface: a peak narrower than the step is missed, and found where sam
     CHECK(sample_count({{}, curves}) == 12);
 }
 
-TEST_CASE("Surface: denser samples find a peak on any column, and are no more than are needed") {
+TEST_CASE("Surface: denser samples find a peak on any column, and are no more than needed") {
     for (int peak = 0; peak <= 64; ++peak) {
         CAPTURE(peak);
         auto surface = seen_from_the_front(peak_at(peak), 64, 3);
@@ -117,8 +117,7 @@ TEST_CASE("Surface: denser samples find a peak on any column, and are no more th
     }
 }
 
-TEST_CASE(
-    "Surface: with a tolerance no column is farther from the line than that, and there is at most one sample on each") {
+TEST_CASE("Surface: with a tolerance no column is farther off than that, and each has at most one sample") {
     const auto wave = [](double x, double) { return 10 * std::sin(x * x / 400); };  // quicker to the right
     auto surface = seen_from_the_front(wave, 200, 6);
     std::size_t last = 0;

@@ -120,7 +120,7 @@ TEST_CASE("Figure 2: some places are seen on the wrong side of the line") {
     }
 }
 
-TEST_CASE("The pivot changes what is computed, not what is true") {
+TEST_CASE("The pivot changes the computed answer, not the exact one") {
     const MappedDecision decision = lesson("kettner-2a");
     const auto [q, r, pivot] = std::get<MappedOrientation>(decision.asked);
     REQUIRE(pivot == 0);
@@ -158,9 +158,9 @@ TEST_CASE("Every decision of the lessons: double is wrong somewhere, filtered an
     }
 }
 
-TEST_CASE("To a float, or to fewer bits, all places are one") {
+TEST_CASE("In float, and in fewer bits, all places are the same") {
     // All places (1/2 + X u, 1/2 + Y u) are 1/2 in numbers of 24 bits, which lies on the line. So the answer is zero everywhere, and right
-    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: zero as well.
+    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: the sign is zero too.
     for (const auto* kernel : {"float", "bits:24", "bits:4"}) {
         CAPTURE(kernel);
         const SignMap map = map_of(lesson("kettner-2a"), kernel);
@@ -192,7 +192,7 @@ TEST_CASE("Clip side: a step of p that the computed cut does not follow") {
     CHECK(unexpected(map_of(decision, "filtered"), [](int x, int y) { return sign_of(y - x); }) == 0);
 }
 
-TEST_CASE("Depth order: planes that no double tells apart") {
+TEST_CASE("Depth order: planes that doubles cannot distinguish") {
     // At x = 1 - 2^-5 + X u one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54, which no double near 1/4 can show.
     const double low = .25 - 0x1p-54;
     const MappedDecision decision{
@@ -206,7 +206,7 @@ TEST_CASE("Depth order: planes that no double tells apart") {
     CHECK(unexpected(map_of(decision, "double"), [](int, int) { return Sign::negative; }) == 0);
 }
 
-TEST_CASE("The picture: p at the lower left, and dark where the answer is wrong, without hue as well") {
+TEST_CASE("The picture: p at the lower left, and wrong answers dark, also in grey") {
     const SignMap map = map_of(lesson("kettner-2a"), "double");
     const Picture picture = picture_of(map);
     const int zoom = picture.area().width / side;
@@ -264,7 +264,7 @@ TEST_CASE("A smaller map is the lower left part of the whole one") {
     }
 }
 
-TEST_CASE("The files of the published maps are those of the paper") {
+TEST_CASE("The files of the published maps have the numbers of the paper") {
     const std::array names{"kettner-2a", "kettner-2b", "kettner-2c"};
     for (std::size_t n = 0; n < names.size(); ++n) {
         CAPTURE(names[n]);
@@ -278,7 +278,7 @@ TEST_CASE("The files of the published maps are those of the paper") {
     }
 }
 
-TEST_CASE("A file that holds no decision is refused with the place and the reason") {
+TEST_CASE("A file without a decision is refused with the place and the reason") {
     const std::string line = R"("orientation": {"q": [12, 12], "r": [24, 24], "pivot": "p"})";
     const auto clip = [](const std::string& q, int cut, int that_side) {
         return R"("clip": {"q": )" + q + R"(, "window": {"x": 12, "y": 12, "width": 4, "height": 4}, "cut": )" +

@@ -58,7 +58,7 @@ TEST_CASE("Binary places: how many of them a double has after the point") {
     CHECK(binary_places(0x1p-1074) == 1074);
 }
 
-TEST_CASE("Shrinking: what a property does not ask for goes") {
+TEST_CASE("Shrinking: removes everything that the property does not need") {
     const Scene scene = SceneBuilder({0, 0, 8, 8})
                             .quad(0, 0, 8, 8, -.5)
                             .polygon("wanted", red, {{1.1, 1.3, .3}, {6.7, 1.3, .3}, {6.7, 6.1, .3}, {1.1, 6.1, .3}})
@@ -75,7 +75,7 @@ TEST_CASE("Shrinking: what a property does not ask for goes") {
     CHECK(smallest.area == scene.area);
 }
 
-TEST_CASE("Shrinking: nothing is left to spare") {
+TEST_CASE("Shrinking: nothing more can be removed") {
     RandomScenes random(31);
     int failures = 0;
     while (failures < 8) {
@@ -101,7 +101,7 @@ TEST_CASE("Need: a hidden polygon, and a plain one over the whole area") {
     CHECK_MESSAGE(need_of(report, "levels of subdivision").amount == "0 of 2", "one window says it all");
 }
 
-TEST_CASE("Need: binary places, with the pixel that one less turns wrong") {
+TEST_CASE("Need: binary places, with the pixel that becomes wrong with one less") {
     // The right side at 2 7/16 excludes the centre 2 1/2. With three binary places 2 7/16 is a tie and rounds to 2 1/2.
     const auto report = needs_of(
         SceneBuilder({0, 0, 4, 1}).polygon("A", red, {{0, 0, 0}, {2.4375, 0, 0}, {2.4375, 1, 0}, {0, 1, 0}}).build(),

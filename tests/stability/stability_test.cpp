@@ -93,7 +93,7 @@ TEST_CASE("Moved by an ulp: each coordinate is the double before, itself or the 
     CHECK(moved > 100 * 9 / 2);
 }
 
-TEST_CASE("Moved far, a quad is no longer planar and becomes two triangles of its colour") {
+TEST_CASE("A quad that is moved far is no longer planar and becomes two triangles of its colour") {
     const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, .5).build();
     RandomPolygons random(std::mt19937(5));
     const Scene other = moved_by_ulps(scene, std::int64_t{1} << 32, random);
@@ -146,7 +146,7 @@ TEST_CASE("Kernels that are always right are right on every scene, grid on the s
     CHECK(results.as_promised());
 }
 
-TEST_CASE("A kernel that is always right and was wrong breaks its promise, another one gave none") {
+TEST_CASE("A wrong result breaks the promise of an always right kernel only") {
     for (const std::string kernel : {"double", "filtered"}) {
         Results results({1, 1, {"edges"}, {kernel}, {"zbuffer"}});
         Tally tally;
@@ -183,7 +183,7 @@ TEST_CASE("No flicker: a pixel that changes because it should") {
     CHECK(tally.wrong_pixels == 0);
 }
 
-TEST_CASE("Growth of windows: the box of a triangle splits into pixels where the triangle is not") {
+TEST_CASE("Growth of windows: beside a triangle, the windows in its box split down to pixels") {
     // A triangle on one side of the diagonal, in front of a backdrop. A window of side 2^m on the diagonal counts itself, two such windows
     // of half the side, one in the triangle, which covers it, and one beside the triangle: still in its box, so it splits down to pixels.
     std::array<std::uint64_t, 6> beside{1}, on_diagonal{1};
@@ -204,7 +204,7 @@ TEST_CASE("Growth of windows: the box of a triangle splits into pixels where the
     }
 }
 
-TEST_CASE("Results in shards, in any order, are those in one go, byte for byte") {
+TEST_CASE("Results in shards, in any order, are those of a single run, byte for byte") {
     const std::string expected = whole(small).text();
     Results merged(small);
     for (const std::size_t shard : {2, 0, 1}) {
@@ -218,7 +218,7 @@ TEST_CASE("Results in shards, in any order, are those in one go, byte for byte")
     CHECK(merged.text() == expected);
 }
 
-TEST_CASE("Results of a killed run are taken up: what was half written is done again") {
+TEST_CASE("A killed run is continued: its partial block runs again") {
     const std::string expected = whole(small).text();
     for (const std::size_t cut : {expected.size() - 1, expected.size() / 2, expected.find('\n') + 1}) {
         Results resumed(small);
@@ -241,7 +241,7 @@ TEST_CASE("A file written before campaigns had all methods is continued byte for
     CHECK(resumed.text() == expected);
 }
 
-TEST_CASE("Results that are not of the campaign, or not results, are refused") {
+TEST_CASE("Results of another campaign, and files of another kind, are refused") {
     const Results results = whole({1, 1, {"edges"}, {"double"}, {"zbuffer"}});
     const std::string header = results.header();
     const std::string line = results.line(results.blocks().front());
@@ -265,13 +265,13 @@ TEST_CASE("Results that are not of the campaign, or not results, are refused") {
     CHECK_MESSAGE(again.missing() + 1 == again.blocks().size(), "told twice alike, a block counts once");
 }
 
-TEST_CASE("Campaigns name what there is") {
+TEST_CASE("A campaign with an unknown name is refused") {
     CHECK_THROWS_WITH_AS(Results({1, 1, {"cubes"}, {"double"}, {"zbuffer"}}), "there is no family cubes", Refused);
     CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"half"}, {"zbuffer"}}), "there is no kernel half", Refused);
     CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"double"}, {"painter"}}), "there is no method painter", Refused);
 }
 
-TEST_CASE("Journal: goes on after its last whole line, whatever a kill has left of the next") {
+TEST_CASE("Journal: continues after the last whole line that a killed run left") {
     for (const std::string left : {"", "fir", "first\n", "first\nsecond\n", "first\nsecond\nthi"}) {
         const TemporaryFile file(left);
         const std::string whole_lines = left.find('\n') == left.npos ? "first\n" : left.substr(0, left.rfind('\n') + 1);
@@ -284,7 +284,7 @@ TEST_CASE("Journal: goes on after its last whole line, whatever a kill has left 
     }
 }
 
-TEST_CASE("Journal: a file that begins otherwise is refused and stays as it is") {
+TEST_CASE("Journal: a file with another first line is refused and does not change") {
     for (const std::string other : {"second\n", "no line", "first, but longer"}) {
         const TemporaryFile file(other);
         CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
@@ -335,7 +335,7 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
     }
 }
 
-TEST_CASE("Curves are shrunk to those, and to those samples and places, that a property needs") {
+TEST_CASE("Shrinking keeps only the curves, samples and binary places that a property needs") {
     // The property: a curve is above 2 over column 3. One curve of two samples with whole heights, 3 and 0 or 1, has it.
     const CurveScene scene{
         {0, 0, 9, 9}, {{{{0, 1.25}, {4, 1}, {8, 1}}}, {{{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}}}, {{{1, 0}, {8, 1}}}}};

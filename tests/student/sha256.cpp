@@ -1,4 +1,4 @@
-// The digests that FIPS 180-2 publishes for these messages in appendix B, and that of the empty one.
+// Checks the digests that FIPS 180-2 publishes in appendix B, and the digest of the empty message.
 #include "vidno_student.h"
 
 bool has_digest(const std::string& message, const std::string& digest) {

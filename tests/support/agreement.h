@@ -1,4 +1,4 @@
-/// Whether the quick readers and the trees agree: the tree gives the same for everything that the quick one reads.
+/// Checks that the quick readers and the tree readers agree: for every text that a quick reader accepts, both give the same result.
 #pragma once
 
 #include <string>

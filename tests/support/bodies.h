@@ -1,4 +1,4 @@
-/// Closed convex bodies for tests, their faces counter-clockwise as seen from outside.
+/// Closed convex bodies for tests, with faces counter-clockwise as seen from outside.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -11,7 +11,8 @@ namespace vidno::test {
 
 using Faces = std::vector<Corners>;
 
-/// The sides of a corner and three edges from it. Sums of short binary fractions are exact, so its faces are planar.
+/// The faces of the parallelepiped with a corner o and edges u, v and w. If these are short binary fractions, their sums are exact and the
+/// faces are planar.
 inline Faces parallelepiped(const glm::dvec3& o, glm::dvec3 u, glm::dvec3 v, const glm::dvec3& w) {
     if (glm::dot(glm::cross(u, v), w) > 0) std::swap(u, v);  // y grows downward
     const auto face = [](const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b) {
@@ -30,7 +31,7 @@ inline SceneBuilder& add_body(SceneBuilder& builder, const Faces& faces) {
     return builder;
 }
 
-/// Bodies on a grid of half pixels, so that their outlines often pass through centres.
+/// Bodies on a grid of half pixels, so their outlines often pass through pixel centres.
 struct RandomBodies : RandomScenes {
     explicit RandomBodies(unsigned seed) : RandomScenes(seed) {}
 

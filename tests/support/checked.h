@@ -1,4 +1,4 @@
-/// A run's findings, for tests.
+/// The findings on a run, for tests.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace vidno::test {
 
-/// A run's findings, and what else `vidno check` says of it.
+/// The findings on a run, and the rest of the report of `vidno check`.
 struct Checked {
     std::vector<Finding> findings;
     CheckReport report;

@@ -1,4 +1,4 @@
-/// The editions with a name of their own, for tests that run all of them.
+/// The named editions, for tests that run all of them.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// The published maps of the orientation test: p moves by units of 2^-53 over 256 x 256 places beside the line through q and r.
+/// The published maps of the orientation test: p takes 256 x 256 positions in steps of 2^-53 near the line through q and r.
 ///
 /// Source  L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of robustness problems in geometric
 ///         computations, Computational Geometry 40(1), 2008, figure 2.

@@ -9,7 +9,7 @@
 
 namespace vidno::test {
 
-/// Curve scenes in which coincidences are common: few heights, equal curves, samples on other curves, peaks, all steps.
+/// Makes scenes of curves with many coincidences: few different heights, equal curves, samples on other curves, peaks.
 class RandomCurves {
 public:
     explicit RandomCurves(unsigned seed) : random_(seed) {}
@@ -47,11 +47,11 @@ private:
             case 0: return whole(0, 4);
             case 1: return whole(0, 3) == 0 ? whole(0, 1) * 16 : 8;  // peaks
             case 2: return whole(-64, 1088) / 64.;
-            default: return whole(0, 30) / 10.;  // on tenths, which doubles do not have
+            default: return whole(0, 30) / 10.;  // tenths, which doubles do not represent exactly
         }
     }
 
-    /// The same curve, perhaps with fewer samples, or mirrored in a level line.
+    /// The same curve, perhaps mirrored in a horizontal line and with fewer samples.
     Curve variant(Curve made) {
         auto& samples = made.samples;
         if (whole(0, 1) == 0) {
@@ -66,7 +66,7 @@ private:
     std::mt19937 random_;
 };
 
-/// Each height moved by up to two ulps: what was a coincidence becomes nearly one.
+/// Moves each height by up to two ulps, so coincidences become near misses.
 inline void move_by_ulps(CurveScene& scene, RandomCurves& random) {
     for (auto& curve : scene.curves) {
         for (auto& [x, y] : curve.samples) {

@@ -1,4 +1,4 @@
-// Prints signs and pictures. Compiled natively and to WebAssembly it must print the same bytes.
+// Prints signs and pictures. The native program and the WebAssembly must print the same bytes.
 #include <vidno/kernels/exact.h>
 #include <vidno/kernels/filtered.h>
 #include <vidno/printed.h>
@@ -12,7 +12,7 @@ namespace {
 using namespace vidno;
 
 // Kettner, Mehlhorn, Pion, Schirra and Yap, Classroom examples of robustness problems in geometric computations,
-// figure 2a: on which side of the line through q and r lie points within an ulp of it?
+// figure 2a: the sides of the line through q and r on which points close to it lie.
 template <Kernel K>
 void print_signs(const K& kernel) {
     constexpr double u = 0x1p-53;

@@ -1,4 +1,4 @@
-// `vidno trace` by the library that a page uses: vidno.wasm.
+// `vidno trace` with vidno.wasm, the library that the page uses.
 //
 //     node vidno.mjs VIDNO.wasm trace SCENE [--method M] [--kernel K] [--edition E] [--detail D] [--check] -o FILE
 import { createHash } from 'node:crypto';

@@ -24,11 +24,11 @@ struct Way {
     Edition edition = Edition::corrected;
     int smallest_window = 1;
     std::optional<Knob> knob{};
-    int value = 0;  // how far it is turned
+    int value = 0;  // its setting
 };
 
 struct Cost {
-    double seconds = 0;  // of a picture without a trace
+    double seconds = 0;  // the time of a run without a trace
     double time = 0;     // relative to the scene's fastest run
     double operations = 0;
     std::optional<double> bits{};  // operations by the bits of their numbers
@@ -50,7 +50,7 @@ struct SceneChart {
     std::string name;
     std::size_t unsteady = 0;  // pixels that an ulp can change
     std::size_t pixels = 0, polygons = 0;
-    double area = 0;  // shown in a wrong colour even by the right picture, in pixels
+    double area = 0;  // in pixels: the area that even the right picture shows in a wrong colour
     std::vector<ChartRun> runs{};
     std::string scene{};  // the scene itself, as scene_json writes it
 
@@ -62,7 +62,7 @@ struct SceneChart {
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;
-inline constexpr int largest_charted_side = 512;  // of an area; a larger one would take minutes
+inline constexpr int largest_charted_side = 512;  // in pixels; a chart of a larger area would take minutes
 
 /// How often a chart of the scene calls its `progress`.
 std::size_t turns_of(const Scene& scene);
@@ -74,10 +74,10 @@ std::string chart_csv(const std::vector<SceneChart>& scenes);
 
 /// The words in a chart's figure.
 struct ChartWords {
-    std::array<std::string_view, 3> costs;    // by the places of cost_axes
-    std::array<std::string_view, 4> errors;   // and of error_axes
-    std::array<std::string_view, 10> series;  // of the methods of the course
-    std::string_view of_family;               // before the name of a variant
+    std::array<std::string_view, 3> costs;    // in the order of cost_axes
+    std::array<std::string_view, 4> errors;   // in the order of error_axes
+    std::array<std::string_view, 10> series;  // the runs of the course's methods
+    std::string_view of_family;               // stands before the name of a variant
     std::string_view Bilingual::*language;
     std::string_view front, ordinary, degenerate, no_number;
 };

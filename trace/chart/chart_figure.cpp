@@ -35,12 +35,12 @@ const ChartWords chart_in_russian{
 
 namespace {
 
-/// Runs that are drawn alike: along a knob with a line, else points.
+/// Runs that are drawn in the same style: as a line along a knob, otherwise as points.
 struct Series {
     Method method;
     std::optional<Knob> knob;
     Edition edition;
-    std::string_view color;  // of Okabe and Ito, whom colour-blind people can read
+    std::string_view color;  // from Okabe and Ito's palette for colour-blind readers
     int point;               // gnuplot's number for a shape
 
     bool operator==(const Series&) const = default;

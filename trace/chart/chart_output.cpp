@@ -81,7 +81,7 @@ Json head_of(const SurfaceChart& surface) {
     return {{"name", surface.name}, {"curves", surface.curves}, {"columns", surface.columns}};
 }
 
-/// Items on lines of their own, in brackets.
+/// A list in brackets, with each item on its own line.
 std::string listed(const auto& items, const auto& text_of) {
     std::string text;
     for (const auto& item : items) text += (text.empty() ? "\n" : ",\n") + text_of(item);

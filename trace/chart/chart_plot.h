@@ -15,10 +15,10 @@ struct PlotMark {
     bool operator<(const PlotMark& other) const { return std::tie(cost, error) < std::tie(other.cost, other.error); }
 };
 
-/// Runs that are drawn alike: along a knob with a line, else points.
+/// Runs that are drawn in the same style: as a line along a knob, otherwise as points.
 struct PlotSeries {
     std::string name;
-    std::string_view color;  // of Okabe and Ito, whom colour-blind people can read
+    std::string_view color;  // from Okabe and Ito's palette for colour-blind readers
     int point;               // gnuplot's number for a shape
     bool along_knob;
 };
@@ -32,7 +32,7 @@ struct PlotLabels {
 /// A panel of a figure. The error axis is logarithmic; 0 has a separate place below, an infinite error one above.
 struct Plot {
     std::string title;
-    std::vector<double> errors;                // of all runs, also of those that have no such cost
+    std::vector<double> errors;                // of all runs, also those without this cost
     std::vector<std::vector<PlotMark>> marks;  // of each series
     std::vector<PlotMark> front;
     std::vector<PlotLabels> labels;

@@ -25,7 +25,7 @@ struct SurfaceWay {
     NamedKernel kernel;
     Edition edition = Edition::corrected;
     std::optional<SamplingKnob> knob{};
-    double value = 0;  // how far it is turned
+    double value = 0;  // its setting
 };
 
 /// The elementary steps of the listings: columns compared with the horizons, columns covered by Horizon, columns examined by
@@ -44,7 +44,7 @@ struct SurfaceCost {
 
 struct SurfaceFindings {
     FloatingHorizonOperationCounts operations{};
-    std::uint64_t wrong_columns = 0;  // of all curves, drawn and hidden by the function, or the other way round
+    std::uint64_t wrong_columns = 0;  // of all curves: drawn but hidden by the function, or not drawn but visible
     double height = 0;                // the farthest that a curve is from the function over a column, in pixels
     std::uint64_t decisions = 0, wrong_decisions = 0;
 };
@@ -84,7 +84,7 @@ std::string chart_csv(const std::vector<SurfaceChart>& surfaces);
 
 /// The words in a chart's figure.
 struct SurfaceChartWords {
-    std::array<std::string_view, 3> costs, errors;  // by the places of the axes
+    std::array<std::string_view, 3> costs, errors;  // in the order of the axes
     std::array<std::string_view, 2> knobs;
     std::string_view as_given, printed, front;
 };

@@ -22,7 +22,7 @@ const SurfaceChartWords surface_chart_in_russian{
 
 namespace {
 
-/// Runs that are drawn alike: a colour for each kernel, a shape for each knob and edition.
+/// Runs that are drawn in the same style. Each kernel has a colour, each knob and edition a shape.
 struct Series {
     std::string_view kernel;
     Edition edition;

@@ -33,9 +33,9 @@ inline constexpr double most_pixels_off = 0.5;
 struct DecisionReport {
     std::vector<ProcedureVerdicts> procedures{};                        // those that decided, in the order of Procedure
     std::uint64_t intersections = 0;                                    // computed, under `float`, `double`, `bits`
-    double farthest_off = 0;                                            // of them, from the exact one, in pixels
-    std::uint64_t farthest_step = 0;                                    // the step that tells it
-    std::uint64_t points_off = 0;                                       // of them, by more than most_pixels_off
+    double farthest_off = 0;                                            // the greatest error of one, in pixels
+    std::uint64_t farthest_step = 0;                                    // the step that reports it
+    std::uint64_t points_off = 0;                                       // errors of more than most_pixels_off
     std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
 
     bool any_wrong() const {

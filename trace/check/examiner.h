@@ -24,7 +24,7 @@ struct Findings {
     std::uint64_t wrong_pixels = 0;
     double area = 0;  // shown in a wrong colour, in pixels
     std::uint64_t decisions = 0, wrong_decisions = 0;
-    double depth_ulps = 0;  // of the worst depth; infinite if one was no number
+    double depth_ulps = 0;  // the error of the worst depth; infinite for NaN
 };
 
 /// The truth about a scene, with which runs of it are compared.

@@ -26,8 +26,8 @@ struct Finding {
     Line at{};
     Procedure procedure{};
     std::vector<PolygonPlace> polygons{};
-    PixelRectangle pixels{};  // whose colour it may change
-    JudgedDecision decision;  // of a point, its coordinates are the operands
+    PixelRectangle pixels{};  // the pixels whose colour it may change
+    JudgedDecision decision;  // for a point, the operands are its coordinates
     std::optional<Gap> gap{};
     double off = 0;  // of a point
 };

@@ -1,4 +1,4 @@
-/// Judged runs.
+/// Judges the decisions of runs.
 #pragma once
 
 #include "run/run.h"

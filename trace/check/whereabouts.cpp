@@ -13,7 +13,7 @@ void add(std::vector<PolygonPlace>& polygons, const std::optional<PolygonPlace>&
         polygons.push_back(*polygon);
 }
 
-// Which events name polygons.
+// The events that have a polygon.
 template <class E>
 concept OfPolygon = requires(const E& told) {
     { told.polygon } -> std::convertible_to<PolygonPlace>;

@@ -1,4 +1,4 @@
-/// Bilingual: a text in the languages of program and page.
+/// Bilingual: a text in English and Russian.
 #pragma once
 
 #include <string_view>

@@ -36,7 +36,7 @@ enum class Deviation : unsigned char {
     x_h4,
     x_h5,
     x_h6,
-    one_list,  // the text has it as well: X-W9
+    one_list,  // the printed text makes it too: X-W9
     depths_not_cleared,
     clip_order_reversed,
     y_flipped,
@@ -52,9 +52,9 @@ enum class Deviation : unsigned char {
 struct DeviationChoice {
     std::string_view defect{};    // the id of the defect, if the printed text has it
     std::string_view mistake{};   // its name as an edition, if it is a usual mistake
-    Bilingual title;              // of a defect, its id
+    Bilingual title;              // for a defect, its id
     Bilingual says;               // what it does
-    std::span<const Line> lines;  // of the listings, which it changes
+    std::span<const Line> lines;  // the lines of the listings that it changes
     // How a usual mistake writes these lines, in order. The listings have the lines of the printed text.
     std::array<Bilingual, 2> reads{};
     std::span<const Method> methods;  // none: the floating horizon

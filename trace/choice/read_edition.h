@@ -1,4 +1,4 @@
-/// An edition as files name it.
+/// Reads an edition by its name from a JSON file. Refuses an unknown name.
 #pragma once
 
 #include "choice/edition.h"

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Whether a command was given in full: one such as `lesson` needs a command of its own.
+/// Whether a command was given in full: `lesson`, for example, needs a subcommand.
 bool names_command(const CLI::App& app) {
     const auto named = app.get_subcommands();
     if (!named.empty()) return names_command(*named.front());

@@ -67,7 +67,7 @@ std::vector<Shape> named_words() {
     std::vector<Shape> all;
     for (const auto& event : all_events()) {
         for (const auto& field : event.fields) {
-            // A list of words is named by its items.
+            // A list of words takes its name from its items.
             const Shape& shape = field.shape.kind == Shape::Kind::list ? field.shape.items.front() : field.shape;
             const bool is_known = std::ranges::count(all, shape.name, &Shape::name) > 0;
             if (shape.kind == Shape::Kind::words && !shape.name.empty() && !is_known) all.push_back(shape);

@@ -1,4 +1,4 @@
-/// Shape: what a value of an event looks like in a trace, derived from its C++ type.
+/// Shape: the JSON form of a value of an event in a trace, derived from its C++ type.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace vidno {
 struct Shape {
     enum class Kind : unsigned char { named, integer, words, numbers, tuple, list };
     Kind kind = Kind::named;
-    std::string_view name{};                // in the first table of FORMAT.md, in the schema and in the page
-    std::vector<std::string_view> words{};  // one of these texts
-    std::vector<int> numbers{};             // one of these numbers
-    std::vector<Shape> items{};             // of a tuple; a list has one
+    std::string_view name{};                // its name in the first table of FORMAT.md, in the schema and in the page
+    std::vector<std::string_view> words{};  // the texts that the value may be
+    std::vector<int> numbers{};             // the numbers that the value may be
+    std::vector<Shape> items{};             // the items of a tuple; a list has one
 };
 
-/// The values with a name of their own; the others are built from these.
+/// The names of basic values. The other values are built from these.
 template <class T>
 inline constexpr std::string_view shape_name{};
 template <>

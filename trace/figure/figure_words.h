@@ -1,4 +1,4 @@
-/// The words of figures, in the page's own terms.
+/// The words of figures, in the terms of the page.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
 
 constexpr const FigureWords& words_of(Language language) { return figure_words[std::size_t(language)]; }
 
-/// The answers of a map; English ones are their names.
+/// The answers of a map in Russian, by their names, which are the English ones.
 inline constexpr auto answers_in_russian = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"negative", "отрицательно"},
     {"zero", "нуль"},

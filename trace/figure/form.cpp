@@ -6,8 +6,8 @@
 namespace vidno::figures {
 
 Drawing drawn(const Form& form, double width, bool answered) {
-    constexpr double around = 0.6;       // of a text, at least
-    constexpr double cap_height = 0.72;  // of the letters' size
+    constexpr double around = 0.6;       // the least margin around a text
+    constexpr double cap_height = 0.72;  // height of a capital letter, as a fraction of the letters' size
     Drawing drawing{width, form.height()};
     std::vector<Polyline> lines;
     const auto put = [&](const std::string& text, double left, double column, double top, double height, double size) {

@@ -12,7 +12,7 @@ namespace vidno::figures {
 struct Patch {
     Color color;
     std::vector<PixelRectangle> rectangles{};
-    std::map<std::pair<int, int>, std::size_t> last{};  // of those that begin and end so, the lowest
+    std::map<std::pair<int, int>, std::size_t> last{};  // the lowest patch with this start and end
 };
 
 /// One patch per colour, in the order in which the colours appear from the top.

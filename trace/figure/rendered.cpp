@@ -1,4 +1,4 @@
-// SVG as PDF and PNG, by librsvg on cairo's surfaces.
+// Converts SVG to PDF and PNG with librsvg and cairo.
 
 #include <cairo-pdf.h>
 #include <librsvg/rsvg.h>
@@ -67,7 +67,7 @@ std::string pdf_of(const std::vector<std::string>& pages, const About& about) {
     std::string bytes;
     const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 0, 0));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, about.title.c_str());
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else that of today
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else today's
     for (const auto& svg : pages) {
         const Handle handle = handle_of(svg);
         const auto [width, height] = size_of(handle);

@@ -6,12 +6,12 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double indent = 2.6;      // the arrow's place
-constexpr double base_below = 1.1;  // of a line of text, above the line's lower end
+constexpr double indent = 2.6;      // room for the arrow
+constexpr double base_below = 1.1;  // from the baseline of a line of text to its lower end
 constexpr double gap = 1.2;         // between columns
-constexpr double below_rule = 0.5;  // more than between lines
+constexpr double below_rule = 0.5;  // extra space below a rule
 
-/// Gives where the next line begins.
+/// Draws a rule. Returns the y of the next line.
 double rule(Drawing& to, double y, double width) {
     to.add(Path{{{{0, y}, {to.width, y}}}, false, {}, Stroke{ink, width}});
     return y + below_rule;

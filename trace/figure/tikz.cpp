@@ -126,7 +126,7 @@ std::string environment(const Drawing& drawing) {
     return text + "\\end{tikzpicture}";
 }
 
-/// These enclose the figure as a document of its own, unless another document inputs it.
+/// These lines make the figure a complete document, unless another document inputs it.
 std::string document(std::string_view classes, const About& about, const std::string& body) {
     // Debian's cm-super has the outlines of T2A.
     const std::string encoding = about.language == Language::russian

@@ -16,7 +16,7 @@ struct WorksheetWords {
     std::string_view windows, number, window, decision, painted, legend, decisions, background;
     std::string_view edges, row, pixels, edges_legend;
     std::string_view raster, raster_of_names;
-    std::string_view rows_here;  // before a number
+    std::string_view rows_here;  // stands before a number
     std::array<std::string_view, case_names.size()> cases;
 };
 

@@ -904,8 +904,8 @@ struct Rejoin {
         "place in the APL, in the order of the scene";
     Line at{};
     PolygonPlace polygon;
-    OtherList list{};  // from which it comes
-    int level = 0;     // at which it had joined that
+    OtherList list{};  // the list that it leaves
+    int level = 0;     // the level at which it joined that list
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("list", e.list);

@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// A whole number of any length, as a double times a power of ten.
+/// An integer of any length as leading * 10^tens.
 struct Scaled {
     double leading;
     int tens;

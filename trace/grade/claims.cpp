@@ -53,7 +53,7 @@ void Claims::judge_start(double z, const Bilingual& what) const {
     }
 }
 
-/// As if points of an outline belonged to nobody.
+/// Whether the colour shows only if points of an outline belong to no polygon.
 bool Claims::is_hole(int column, int row, Color color) const {
     const SeenPixel& seen = truth_.seen(column, row);
     return seen.on_outline && color == truth_.color_of(seen.by_none);

@@ -1,4 +1,4 @@
-/// Claims: what the judges of all methods share.
+/// Claims: checks that the judges of all methods share.
 #pragma once
 
 #include "grade/judge.h"
@@ -6,11 +6,11 @@
 
 namespace vidno::grading {
 
-/// Thrown by a judge; the step and the line are filled in by who has them.
+/// Thrown by a judge for a false claim. The catcher adds the step and the line of the listing.
 struct False {
     Symptom symptom;
-    std::string told, right;
-    std::optional<std::uint64_t> step{};  // if it is not that of the current event
+    std::string told, right;              // what the trace claims, and what is right
+    std::optional<std::uint64_t> step{};  // if the claim belongs to another event than the current one
 };
 
 class Claims {
@@ -23,32 +23,32 @@ protected:
 
     const SceneTruth& truth() const { return truth_; }
     const Scene& scene() const { return truth_.scene(); }
-    const State& state() const { return state_; }  // before the event is taken
+    const State& state() const { return state_; }  // before the current event
     void note(Difference difference) { differences_.insert(difference); }
 
     const std::string& id(int polygon) const { return scene().polygons[std::size_t(polygon)].id; }
-    /// "the background", "A", "A or B" of the same colour.
+    /// The polygons of that colour, or the background: "A", "A or B", "the background".
     std::string owner_of(Color color) const;
 
-    /// Throws False unless the polygon has an edge of that number.
+    /// Throws False unless the polygon has an edge of that index.
     void judge_edge(int polygon, int edge) const;
-    /// I1
+    /// Line I1: throws False unless the plane is the polygon's.
     void judge_plane(const event::Plane& e) const;
-    /// D1, and what comes to the same: z of a polygon at a point.
+    /// Line D1 and equivalent claims: throws False unless the polygon's depth at (x, y) is z.
     void judge_depth(int polygon, double x, double y, double z) const;
-    /// A depth behind which nothing may be.
+    /// Throws False unless z lies behind every polygon. `what` is the claim, with a place for z.
     void judge_start(double z, const Bilingual& what) const;
-    /// Claims that a pixel shows a colour.
+    /// Throws False unless the pixel may show the colour.
     void judge_pixel(int column, int row, Color color);
-    /// Which of two depths is nearer, as they were computed.
+    /// Throws False unless `nearer` says whether z > against; either answer is right if rounding may have decided it.
     void judge_comparison(double z, double against, bool nearer);
-    /// Throws False if another depth is known to be the nearest so far.
+    /// Throws False if the trace has reported a different nearest depth so far.
     void judge_nearest_so_far(double told, const std::optional<double>& known) const;
-    /// The pixels first <= column < end of a row are those between two ends of the polygon on the row's centre line.
+    /// Throws False unless first <= column < end are the pixels of a row whose centres lie between the polygon's ends.
     void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,
                        const SceneTruth::Crossing& right) const;
 
-    /// Why a pixel does not show a colour.
+    /// In words, why a pixel does not show a colour.
     std::string why_not(int column, int row, Color color) const;
 
     std::string pixel(int column, int row) const { return say.point(column, row); }

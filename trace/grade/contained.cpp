@@ -26,7 +26,7 @@ constexpr int cannot_start = 127;
 
 std::string system_reason() { return std::strerror(errno); }
 
-/// A file descriptor of ours.
+/// Owns a file descriptor.
 class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
@@ -49,7 +49,7 @@ void limit(int resource, std::uint64_t amount) {
     setrlimit(__rlimit_resource_t(resource), &both);
 }
 
-/// In the child, between fork and exec: only what may be called there.
+/// Runs in the child between fork and exec, so it calls only async-signal-safe functions.
 [[noreturn]] void become(char* const* words, const char* folder, char* const* environment, int output,
                          const Limits& limits) {
     setpgid(0, 0);
@@ -65,7 +65,8 @@ void limit(int resource, std::uint64_t amount) {
     _exit(cannot_start);
 }
 
-/// Reads what the program prints until it has closed its outputs or must be stopped; says why, if it must.
+/// Reads what the program prints and keeps the beginning. Returns `done` when the program has closed its outputs, otherwise why it must be
+/// stopped.
 Ending drain(int pipe, const Limits& limits, std::string& kept) {
     const auto deadline = std::chrono::steady_clock::now() + 2 * limits.time;
     std::array<char, 1 << 16> block;
@@ -83,7 +84,7 @@ Ending drain(int pipe, const Limits& limits, std::string& kept) {
     return Ending::too_much_output;
 }
 
-/// Waits for the end until the deadline; whether it came.
+/// Waits for the child to end, at most that long. Returns whether it ended.
 bool ends_within(pid_t child, std::chrono::seconds time, int& status, rusage& used) {
     const auto deadline = std::chrono::steady_clock::now() + time;
     while (wait4(child, &status, WNOHANG, &used) == 0) {
@@ -93,7 +94,7 @@ bool ends_within(pid_t child, std::chrono::seconds time, int& status, rusage& us
     return true;
 }
 
-/// A list that grows by doubling fails when it and its copy do not fit: a third of the memory was in use.
+/// A vector that doubles its capacity fails when old and new storage together exceed the limit: a third of it was in use before.
 bool used_much(const rusage& used, const Limits& limits) {
     return std::uint64_t(used.ru_maxrss) * 1024 > limits.memory / 3;
 }
@@ -133,7 +134,7 @@ constexpr std::array signal_words{
                  "недопустимая инструкция, как в конце функции без return"}},
 };
 
-/// Null for a signal that has none.
+/// Null for a signal that is not in the table.
 const SignalWords* words_of_signal(int signal) {
     const auto* found = std::find_if(signal_words.begin(), signal_words.end(),
                                      [&](const SignalWords& words) { return words.signal == signal; });
@@ -144,7 +145,7 @@ using Variables = std::vector<std::pair<std::string, std::string>>;
 
 constexpr const char* program_inside = "/program";
 
-/// The words that run the program in a sandbox. The system's folders that are links to others are so inside, too.
+/// The command that runs the program in a sandbox. System folders that are symbolic links remain links inside.
 std::vector<std::string> in_sandbox(const std::string& bubblewrap, const std::string& program,
                                     const std::string& folder, const Variables& variables) {
     std::vector<std::string> words{bubblewrap,      "--unshare-all", "--die-with-parent",
@@ -166,7 +167,7 @@ std::vector<std::string> in_sandbox(const std::string& bubblewrap, const std::st
     return words;
 }
 
-/// Bubblewrap ends as the shell does where its program was ended by a signal.
+/// If a signal ends its program, bubblewrap exits with 128 + the signal, as a shell does. This recovers the signal.
 void name_signal(Ended& ended) {
     constexpr int signalled = 128, signals = 64;
     if (ended.code <= signalled || ended.code > signalled + signals) return;
@@ -179,7 +180,7 @@ void name_signal(Ended& ended) {
         ended.ending = Ending::crashed;
 }
 
-/// Pointers as exec takes them.
+/// The words as exec takes them: pointers, then null.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
     std::vector<char*> pointers;
     for (auto& each : words) pointers.push_back(each.data());
@@ -196,7 +197,7 @@ Sandbox find_sandbox() {
     for (std::string place; std::getline(places, place, ':');) {
         const std::string file = place + "/bwrap";
         if (access(file.c_str(), X_OK) != 0) continue;
-        // Where user namespaces are forbidden, as in many containers, there is a program and no sandbox.
+        // Where user namespaces are forbidden, as in many containers, bwrap exists but cannot create a sandbox.
         const TemporaryFolder folder;
         Limits limits;
         limits.bubblewrap = file;
@@ -266,7 +267,7 @@ Ended run_contained(const std::filesystem::path& program, const std::filesystem:
     const pid_t child = fork();
     if (child < 0) throw Refused(program.string() + ": " + system_reason());
     if (child == 0) become(argv.data(), place.c_str(), envp.data(), out.number(), limits);
-    setpgid(child, child);  // in both processes: either may run first
+    setpgid(child, child);  // the child does the same: either may run first
     out.close();
 
     Ended ended;

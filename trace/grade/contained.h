@@ -1,9 +1,8 @@
-/// Contained: a program of somebody else, run so that whatever it does is over soon.
+/// Contained: runs an untrusted program under limits and, if possible, in a sandbox.
 ///
-/// It has a process group, a working folder, limits of time, memory and file size of its own, and no input. What it prints is
-/// read to the end, of which the beginning is kept. That guards against mistakes. Against malice guards a sandbox, bubblewrap's:
-/// there is no network in it, no other process, and of the files only those of the system, which it may not write, the program
-/// itself and its working folder.
+/// The program gets its own process group and working folder, limits of time, memory and file size, and no input. All that it prints is
+/// read, and the beginning is kept. This guards against mistakes. Bubblewrap's sandbox guards against malice: it has no network and no
+/// other processes. It shows only the files of the system, which are read-only, the program itself and its working folder.
 #pragma once
 
 #include <chrono>
@@ -18,19 +17,19 @@
 namespace vidno {
 
 struct Limits {
-    std::chrono::seconds time{10};  // of the processor; by the clock twice as much
-    std::uint64_t memory = std::uint64_t{1} << 29;
-    std::uint64_t file = std::uint64_t{1} << 26;  // each file that it writes, and all that it prints
-    std::string bubblewrap{};                     // the program of that name; empty: without a sandbox
+    std::chrono::seconds time{10};                  // processor time; the limit of wall-clock time is twice that
+    std::uint64_t memory = std::uint64_t{1} << 29;  // bytes of address space
+    std::uint64_t file = std::uint64_t{1} << 26;    // bytes of each file that it writes, and of all that it prints
+    std::string bubblewrap{};                       // path of bwrap; empty: run without a sandbox
 };
 
 enum class Ending : unsigned char {
     done,            // exit status 0
-    failed,          // another one
-    crashed,         // by a signal
-    out_of_time,     // it did not end
-    out_of_memory,   // it asked for more than it may have
-    too_much_output  // it wrote or printed more than it may
+    failed,          // another exit status
+    crashed,         // ended by a signal
+    out_of_time,     // exceeded the limit of time
+    out_of_memory,   // exceeded the limit of memory
+    too_much_output  // wrote or printed more than the limit
 };
 
 struct Ended {
@@ -39,13 +38,13 @@ struct Ended {
     std::string said;  // the beginning of what it printed, on both outputs
 };
 
-/// In words, "crashed (SIGSEGV)".
+/// How the program ended, in words such as "crashed (SIGSEGV)".
 std::string words_of(const Ended& ended, const Limits& limits, const Words& say);
 
-/// What a crash like this comes from, as a rule; empty if that is not known, or there was none.
+/// The usual cause of such a crash, in words; empty if it is unknown or the program did not crash.
 std::string cause_of(const Ended& ended, const Words& say);
 
-/// A temporary folder, removed with the object. Throws Refused if it cannot be made.
+/// A temporary folder; the destructor removes it. The constructor throws Refused if it cannot create one.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -59,13 +58,14 @@ private:
     std::filesystem::path path_;
 };
 
-/// Where bubblewrap is, if a sandbox can be made here; else why there is none.
+/// The path of bubblewrap if it can create a sandbox here; otherwise the reason why not.
 struct Sandbox {
     std::string bubblewrap, missing;
 };
 Sandbox find_sandbox();
 
-/// Runs a program without arguments in the folder. Throws Refused if it cannot be started.
+/// Runs a program without arguments in the folder, with variables added to the environment. In a sandbox the program sees only those and
+/// PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
 Ended run_contained(const std::filesystem::path& program, const std::filesystem::path& folder,
                     const std::vector<std::pair<std::string, std::string>>& environment, const Limits& limits);
 

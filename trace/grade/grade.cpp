@@ -11,7 +11,7 @@ namespace {
 
 bool is_judged(Method method) { return is_of_course(method) || method == Method::weiler_atherton; }
 
-/// Why a run gives nothing to judge; empty if it does.
+/// Why a run cannot be judged; empty if it can.
 std::string nothing_to_judge(const StudentRun& run, const Scene& scene, const Words& say) {
     if (run.trace.empty()) {
         return say(
@@ -43,7 +43,7 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
 }
 
-/// Judges runs of one program.
+/// Judges all runs of one program.
 ProgramGrade judged(std::vector<SceneGrade> runs, const Grading& grading) {
     ProgramGrade grade;
     std::vector<const std::vector<Event>*> traces;
@@ -66,13 +66,13 @@ ProgramGrade judged(std::vector<SceneGrade> runs, const Grading& grading) {
     return grade;
 }
 
-/// Whether b fails as a does, no later in the run.
+/// Whether b fails in the same way as a, at no later step.
 bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
     if (b.right() || a.run.ended.ending != b.run.ended.ending || a.judgement.has_value() != b.judgement.has_value())
         return false;
     if (!a.judgement || a.judgement->wrong.has_value() != b.judgement->wrong.has_value()) return !a.judgement;
     if (!a.judgement->wrong) return true;
-    // A smaller scene that takes longer to show it would show it worse.
+    // A smaller scene with the false claim at a later step would be a worse example.
     return a.judgement->wrong->symptom == b.judgement->wrong->symptom &&
            b.judgement->wrong->step <= a.judgement->wrong->step;
 }

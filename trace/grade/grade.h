@@ -1,4 +1,4 @@
-/// Grade: a student's program on scenes, each run contained and judged; and the smallest scene on which it is still so wrong.
+/// Grade: runs a student's program on scenes, contained, judges each run, and finds the smallest scene that shows a failure.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace vidno {
 struct SceneGrade {
     Scene scene;
     StudentRun run;
-    std::optional<Judgement> judgement{};  // none if there was nothing to be judged
-    std::string not_judged{};              // why, in that case
+    std::optional<Judgement> judgement{};  // none if there was nothing to judge
+    std::string not_judged{};              // the reason in that case
 
     bool right() const { return run.ended.ending == Ending::done && run.complete && judgement && !judgement->wrong; }
 };
@@ -23,14 +23,14 @@ struct ProgramGrade {
     std::vector<SceneGrade> scenes;
     Precision precision = Precision::twice;
     ClaimsTold told;
-    std::string missing;  // what of the level that was asked for is not told; empty if nothing is
+    std::string missing;  // kinds of claims that the level asked for needs and no trace has; empty if none
     std::optional<Deviation> deviation;
 
     std::size_t wrong() const {
         return std::size_t(std::count_if(scenes.begin(), scenes.end(), [](const auto& each) { return !each.right(); }));
     }
     bool right() const { return wrong() == 0 && missing.empty(); }
-    /// The first failure that says what is wrong; else the first of all. Null if there is none.
+    /// The first run with a false claim; if there is none, the first failure. Null if all runs are right.
     const SceneGrade* first_wrong() const;
 };
 
@@ -38,24 +38,25 @@ struct ProgramGrade {
 struct Grading {
     Limits limits;
     Words say;
-    Detail detail = Detail::windows;  // claims of that level must be told
-    bool first_only = false;          // stop at the first scene on which it is wrong
+    Detail detail = Detail::windows;  // the traces must have the claims of that level
+    bool first_only = false;          // stop at the first scene on which the program is wrong
 };
 
-/// Runs the program on the scenes. A program that does not end on two of them is not run on those after. Throws Refused if it cannot be
-/// started.
+/// Runs the program on the scenes and judges the runs. Stops early after two runs that exceed the limit of time. Calls `progress` before
+/// each run with the number of runs done. Throws Refused if the program cannot be started.
 ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<Scene>& scenes,
                            const Grading& grading, const std::function<void(std::size_t)>& progress);
 
-/// Judges a trace that was written before.
+/// Judges the text of an existing trace.
 ProgramGrade grade_trace(std::string text, const Grading& grading);
 
-/// The smallest scene on which the program fails in the same way, at no later step, its run with it. Gives up making it smaller after so many
-/// runs or so long. `progress` is called before each run.
+/// When to stop making a scene smaller.
 struct Patience {
     int runs = 300;
     std::chrono::seconds time{30};
 };
+/// The smallest scene found on which the program fails in the same way at no later step, with its run. Calls `progress` before each run.
+/// Throws Refused if the program cannot be started.
 SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, Precision precision,
                             const Grading& grading, const Patience& patience, const std::function<void()>& progress);
 

@@ -38,10 +38,10 @@ struct Numbers {
     void operator()(const std::array<Value, count>& values) const {
         for (const Value& value : values) (*this)(value);
     }
-    void operator()(const auto&) const {}  // no number of the kernel
+    void operator()(const auto&) const {}  // not a number of the kernel
 };
 
-/// The numbers of events: how many there are, and whether none needs more than 24 bits.
+/// How many numbers the events have, and whether a float holds each of them.
 struct Counted {
     std::size_t numbers = 0;
     bool all_single = true;
@@ -65,7 +65,7 @@ std::string label_of(const EventView& event) {
     return event.visit([](const auto& e) { return std::string(line_names[std::size_t(e.at)]); });
 }
 
-/// " " and the polygon that an event is about, if it is about one.
+/// A space and the index of the event's polygon; empty if it has none.
 std::string polygon_of(const EventView& event) {
     return event.visit([](const auto& e) -> std::string {
         if constexpr (requires { e.polygon.index; }) return " " + std::to_string(e.polygon.index);
@@ -73,8 +73,8 @@ std::string polygon_of(const EventView& event) {
     });
 }
 
-/// The first false claim is the answer. What comes after it is looked at all the same: which claims are false in all, tells one mistake
-/// from another.
+/// The first false claim becomes `wrong`. Later events are judged too, because the set of all false claims distinguishes one mistake from
+/// another.
 template <class Judge>
 void judge_by(const SceneTruth& truth, const std::vector<Event>& events, bool complete, State& state, const Words& say,
               Judgement& found) {
@@ -137,7 +137,7 @@ Bilingual words_of(Difference difference) {
 }
 
 Precision precision_of(const std::vector<const std::vector<Event>*>& traces, bool says_single) {
-    constexpr std::size_t enough = 100;  // numbers, not one of which a program in double would tell by chance
+    constexpr std::size_t enough = 100;  // numbers: if a float holds all of them, the program computes in float
     Counted all;
     for (const auto* events : traces) {
         const Counted each = counted(*events);

@@ -1,10 +1,10 @@
-/// Judge: is what a trace tells right, by its meaning?
+/// Judge: checks the claims of a trace against the exact scene.
 ///
-/// Each claim of the trace is held against the scene, in the order of the trace: that a polygon's depth at a point is this,
-/// that a window is empty, that a pixel takes that colour. What the trace leaves out is not asked for (told.h says what that
-/// is), and how the program came to a claim is its own affair: any order of windows, polygons, lists and corners, any rule for
-/// points of an outline and any polygon of equally near ones is right (scene_truth.h says what is open), and is reported as
-/// different where it differs. The first claim that is false is the answer; without one, the pixels that are left wrong.
+/// A claim is, for example, the depth of a polygon at a point, that a window is empty, or the colour of a pixel. The judge checks the
+/// claims in the order of the trace. It requires no claim that the trace leaves out (told.h counts the claims), and it accepts any order
+/// of windows, polygons, lists and corners, any rule for points of an outline that scene_truth.h allows, and any of several equally near
+/// polygons. It lists these differences from our procedures. The verdict is the first false claim or, if there is none, a wrong pixel of
+/// the final picture.
 #pragma once
 
 #include <optional>
@@ -18,55 +18,55 @@
 
 namespace vidno {
 
-/// What kind of claim is false. By it a smaller scene is recognized as showing the same, and a usual mistake as itself.
+/// The kind of a false claim. It tells whether a smaller scene shows the same failure, and which usual mistake a program makes.
 enum class Symptom : unsigned char {
     plane,       // not the polygon's
-    depth,       // not that of the plane
-    start,       // something shows behind what the depths start at
+    depth,       // not that of the polygon's plane
+    start,       // a polygon lies behind the depth that the depths start at
     comparison,  // which of two depths is nearer
     point_in_polygon,
     box,             // not the polygon's
-    count,           // of the polygons in a window
-    contradiction,   // what a window is called does not follow from what was found in it
-    left_list,       // a polygon that shows left the list
-    surrounded,      // by a polygon before which another shows
-    overlooked,      // a polygon that shows was not looked at in the window
-    not_plain,       // a window is called empty or single that is not
-    too_small,       // a window of a pixel is split, or a larger one called a pixel
-    stray_window,    // no part of one that was split, or the first one does not cover the area
+    count,           // the number of polygons in a window
+    contradiction,   // the case of a window does not follow from what was found in it
+    left_list,       // a visible polygon left the list
+    surrounded,      // no polygon surrounds the window and hides all else in it
+    overlooked,      // a visible polygon was not examined in the window
+    not_plain,       // a window called empty or single is not
+    too_small,       // a window of one pixel is split, or a larger one is called a pixel
+    stray_window,    // not part of a split window, or the first window does not cover the area
     parts_missing,   // the parts of a window do not cover it
-    clip,            // not the part in the window
-    clipped_away,    // nothing is left of a polygon that has a part in the window
-    clipped_inside,  // a vertex in the window is dropped, or one outside kept
+    clip,            // not the polygon's part in the window
+    clipped_away,    // a polygon with a part in the window has vanished
+    clipped_inside,  // a vertex in the window was dropped, or one outside it was kept
     insider,
-    edge,         // of AEL, or where a row meets a polygon
+    edge,         // an edge of AEL, or where a row meets a polygon
     off_window,   // pixels outside of the window
     off_polygon,  // pixels outside of the polygon
-    hole,         // where polygons meet, the pixel belongs to nobody
+    hole,         // a pixel on a common edge belongs to no polygon
     colour,       // any other wrong colour
-    not_painted,  // pixels that nothing has painted
+    not_painted,  // a pixel that was never painted
     horizon,      // not that of the curves before
-    visibility,   // a part of a curve is drawn that is hidden, or not drawn that is visible
-    region,       // not what is visible of the polygon
-    impossible    // no state of the procedure that it could follow
+    visibility,   // a hidden part of a curve is drawn, or a visible part is not
+    region,       // not the visible part of the polygon
+    impossible    // an event that cannot follow the state before it
 };
 
 /// A claim that is false, in words.
 struct Wrong {
     std::uint64_t step = 0;   // the number of events before it
-    std::string at;           // the label of the listing's line; empty where only the picture is wrong
-    std::string told, right;  // what the trace says, and what is right
+    std::string at;           // the label of the listing's line; empty if only the picture is wrong
+    std::string told, right;  // what the trace claims, and what is right
     Symptom symptom{};
 };
 
-/// A false claim in any run of the scene: of what kind, and about which window, polygon, curve or pixel.
+/// Identifies a false claim across runs of a scene: its kind, and the window and polygon that it is about.
 struct FalseClaim {
     Symptom symptom{};
     std::string about;
     auto operator<=>(const FalseClaim&) const = default;
 };
 
-/// How a program may differ from ours and be as right.
+/// How a right program may differ from our procedures.
 enum class Difference : unsigned char {
     order_of_parts,
     order_of_polygons,
@@ -84,18 +84,18 @@ Bilingual words_of(Difference difference);
 
 struct Judgement {
     std::optional<Wrong> wrong;
-    std::vector<FalseClaim> false_claims;  // that one first
+    std::vector<FalseClaim> false_claims;  // all of them; the first belongs to `wrong`
     std::set<Difference> differences;
-    Picture picture;      // in the end
+    Picture picture;      // after the last event
     int open_pixels = 0;  // where rounding may decide which of two polygons shows
 };
 
-/// Judges the events of a trace by a program whose numbers have that precision. `complete`: the run came to its end, so that the picture
-/// is to be right as well.
+/// Judges the events of a trace that a program with numbers of that precision wrote. If `complete`, the run reached its end, so the final
+/// picture must be right too. `words` chooses the language of the messages.
 Judgement judge(const TraceHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
                 const Words& words = Words());
 
-/// The precision of a program that has written these traces: single if it says so, or if none of the many numbers that it tells needs more.
+/// The precision of the program that wrote these traces: single if it says so, or if it wrote at least 100 numbers and a float holds each.
 Precision precision_of(const std::vector<const std::vector<Event>*>& traces, bool says_single);
 
 }  // namespace vidno

@@ -11,7 +11,7 @@ namespace vidno {
 
 namespace {
 
-/// The kinds of events that a program tells; those that make the picture are always heard.
+/// The kinds of events that a program reports. Events that make the picture are always kept.
 using Kinds = std::set<std::size_t>;
 
 bool makes_picture(const EventView& event) {
@@ -19,7 +19,7 @@ bool makes_picture(const EventView& event) {
         []<class E>(const E&) { return E::kind.from == Detail::windows && !std::is_same_v<E, event::Clear>; });
 }
 
-/// The events of a run, but those that the program tells no such of.
+/// Keeps the events of a run whose kinds the program reports too.
 class Filter final : public EventSink {
 public:
     explicit Filter(const Kinds& kinds) : kinds_(kinds) {}
@@ -40,12 +40,12 @@ Judgement judgement_of(Deviation deviation, const TraceHeader& of, const Kinds& 
     const NamedKernel kernel = in_single ? single : *kernel_named("double");
     Filter filter(kinds);
     run({of.method, kernel, deviation, of.scene, Detail::signs, &filter});
-    // Below level `polygons` no call stack is kept: the calls are left out.
+    // Level `windows` has no call stack, so the state accepts events without their calls.
     const TraceHeader header{of.method, Edition(deviation), kernel.name(), Detail::windows, of.scene};
     return judge(header, filter.events, true, precision);
 }
 
-/// The wrong pixels of a picture: where they are and what they show.
+/// The wrong pixels of a picture: column, row, red, green, blue.
 std::vector<std::array<int, 5>> wrong_pixels(const SceneTruth& truth, const Picture& picture) {
     std::vector<std::array<int, 5>> wrong;
     const Area& area = truth.scene().area;
@@ -68,12 +68,12 @@ bool has_outline_on_centre(const SceneTruth& truth) {
     return false;
 }
 
-/// What the program did on a scene, made ready to be compared.
+/// An observation with what a comparison needs.
 struct Compared {
     const Observation* observed;
     std::unique_ptr<SceneTruth> truth;
     std::vector<std::array<int, 5>> wrong;
-    bool is_plain;  // no centre of a pixel lies on an outline
+    bool is_plain;  // no pixel centre lies on an outline
 
     bool is_wrong() const { return observed->judgement->wrong.has_value(); }
 };
@@ -103,7 +103,7 @@ std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, 
     const bool any_plain =
         std::any_of(cases.begin(), cases.end(), [](const Compared& each) { return each.is_plain && each.is_wrong(); });
     std::erase_if(cases, [&](const Compared& each) { return any_plain ? !each.is_plain : !each.is_wrong(); });
-    // Where it is wrong first: a deviation that differs does so there.
+    // Wrong runs first: most deviations differ there, so the search rejects them early.
     std::stable_partition(cases.begin(), cases.end(), [](const Compared& each) { return each.is_wrong(); });
     if (cases.empty() || !cases.front().is_wrong() || kinds.empty()) return std::nullopt;
 

@@ -1,4 +1,4 @@
-/// Which mistake a program makes: a deviation of the one table (choice/deviation.h) whose own runs do the same.
+/// Mistakes: finds the deviation (choice/deviation.h) whose own runs fail as the program's runs do.
 #pragma once
 
 #include "grade/judge.h"
@@ -10,15 +10,16 @@ struct Observation {
     const TraceHeader* header;
     const std::vector<Event>* events;
     const Judgement* judgement;
-    bool complete;  // the run came to its end
+    bool complete;  // the run reached its end
 };
 
-/// The deviation that makes the program's false claims and paints its wrong pixels. Its runs are judged by the events that the program
-/// tells. They must agree on each scene; where centres of pixels lie on outlines rounding may tell them apart, and such scenes are
-/// asked only if there are no others on which the program is wrong, and then two of three must agree.
+/// The deviation whose runs paint the program's wrong pixels and make its first false claim; none if no deviation does. Its runs are judged
+/// by the kinds of events that the program reports. If the program is wrong on a scene without pixel centres on outlines, only such scenes
+/// count and the runs must agree on all of them. Otherwise rounding may separate the runs, so two thirds of the scenes on which the
+/// program is wrong must agree.
 std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, Precision precision);
 
-/// What it does, and what to tell the student.
+/// A sentence for the student: the name of the deviation and the advice on it, or what it does.
 std::string in_words(Deviation deviation, const Words& say);
 
 }  // namespace vidno

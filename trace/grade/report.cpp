@@ -16,7 +16,7 @@ std::string place_of(const Wrong& wrong, const Words& say) {
     return step + (wrong.at.empty() ? "" : ", " + wrong.at);
 }
 
-/// Why a run is not right, in a line; empty if it is.
+/// Why a run is not right, in one line; empty if it is right.
 std::string failure_of(const SceneGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
     if (!grade.judgement) return grade.not_judged;
@@ -27,7 +27,7 @@ std::string failure_of(const SceneGrade& grade, const Grading& grading) {
     return grade.run.complete ? "" : say({"the trace is cut short", "запись оборвана"});
 }
 
-/// The verdict in a column of its own.
+/// A scene's line, with the verdict in its own column.
 std::string line_of(const SceneGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
     const std::string failure = failure_of(grade, grading);
@@ -41,7 +41,7 @@ std::string scenes_in_words(int count, const Words& say) {
     return say({count == 1 ? "{} scene" : "{} scenes", "сцен: {}"}, count);
 }
 
-/// What is different from our procedures and as right.
+/// How the right program differs from our procedures, and the pixels left open.
 std::string differences_of(const ProgramGrade& grade, const Words& say) {
     std::map<Difference, int> scenes;
     int open = 0, open_scenes = 0;
@@ -51,7 +51,7 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
         open += each.judgement->open_pixels;
         open_scenes += int(each.judgement->open_pixels > 0);
     }
-    // Where no window is split twice, a queue in turn is a recursion.
+    // On scenes in which no window is split twice, breadth first cannot be distinguished from recursion.
     if (scenes.contains(Difference::breadth_first)) scenes.erase(Difference::recursion);
     std::string text;
     if (!scenes.empty()) text += say({"\nDifferent, and as right:\n", "\nИначе, но тоже верно:\n"});
@@ -65,7 +65,7 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
     return text;
 }
 
-/// What the program printed, indented; the first lines of it.
+/// The first lines that the program printed, indented.
 std::string said_by(const std::string& said) {
     std::string text;
     std::size_t begin = 0;
@@ -99,7 +99,7 @@ std::string details_of(const SceneGrade& grade, const Grading& grading) {
     return text + said_by(run.ended.said);
 }
 
-/// A student's program must not write to the terminal of who grades it.
+/// Replaces control characters, so that a student's program cannot control the grader's terminal.
 std::string without_controls(std::string text) {
     std::replace_if(
         text.begin(), text.end(),

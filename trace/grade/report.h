@@ -1,23 +1,25 @@
-/// Report: what came of a program, for the student who wrote it; and of a folder of them, as a table for who teaches them.
+/// Report: the grade of a program, for the student who wrote it, and a table of the grades of a folder, for the teacher.
 #pragma once
 
 #include "grade/grade.h"
 
 namespace vidno {
 
-/// The scenes one by one, what is different, the verdict, and the first failure with the mistake that it is, if it is a known one.
+/// A line for each scene, the differences, the verdict, the first failure and the mistake if it is known. `scenes_given` is the number of
+/// scenes that the program should run on.
 std::string report_of(const ProgramGrade& grade, std::size_t scenes_given, const Grading& grading);
 
-/// The smallest scene on which the failure is still seen.
+/// The smallest scene that shows the failure: its area, its polygons and the failure.
 std::string report_of_smallest(const SceneGrade& smallest, const Grading& grading);
 
-/// A program of a folder. Without a grade it could not be judged, and `reason` says why.
+/// A program of a folder. If it could not be judged, it has no grade and `reason` says why.
 struct TableRow {
     std::string program;
     std::optional<ProgramGrade> grade;
     std::string reason;
 };
 
+/// UTF-8 text of the table: with a heading line, or an array of objects.
 std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say);
 std::string table_as_json(const std::vector<TableRow>& rows, const Words& say);
 

@@ -34,15 +34,15 @@ Rational twice_area(const Outline2& outline) {
 }
 
 struct ExactPolygon {
-    Outline2 outline;        // without edges of no length; area positive
+    Outline2 outline;        // without edges of length 0; its area is positive
     Rational zx, zy, z0;     // z = zx x + zy y + z0
-    double depth_slack = 0;  // what rounding may do to a depth
+    double depth_slack = 0;  // the tolerance of a depth
     bool has_inside = false;
 
     Rational depth(const Point2& p) const { return zx * p.x + zy * p.y + z0; }
 };
 
-/// By Newell's sum about the first vertex, as the procedures have it.
+/// Uses Newell's sum about the first vertex, as the procedures do.
 void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, double extent, double slack) {
     const glm::dvec3& o = vertices[0];
     Rational a(0), b(0), c(0);
@@ -59,13 +59,13 @@ void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, d
     polygon.zx = -a / c;
     polygon.zy = -b / c;
     polygon.z0 = Rational(o.z) - polygon.zx * Rational(o.x) - polygon.zy * Rational(o.y);
-    // A thin polygon's plane is known so much worse from its vertices.
+    // The thinner a polygon, the less accurately its vertices determine its plane.
     const double thinness = std::max(1.0, extent * extent / std::abs(CGAL::to_double(c)));
     polygon.depth_slack =
         slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
 }
 
-/// What is left of an outline where a linear function of a point is not negative.
+/// The part of an outline where `beyond`, a linear function of a point, is not negative.
 Outline2 half_of(const Outline2& outline, const auto& beyond) {
     Outline2 kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -92,7 +92,8 @@ struct Direction {
     double x, y;
 };
 
-/// A direction strictly between each two neighbours of those in which anything can change.
+/// A direction strictly between any two neighbours among the edges' directions, where what is visible can change. Their opposites and
+/// perpendiculars count too, so no gap between neighbours is more than 90 degrees.
 std::vector<Direction> directions_between(const std::vector<Direction>& changes) {
     std::vector<Direction> all;
     for (const auto& [x, y] : changes) {
@@ -115,9 +116,9 @@ std::vector<Direction> directions_between(const std::vector<Direction>& changes)
 struct SceneTruth::Exactly {
     Scene scene;
     double largest = 1;  // coordinate
-    double slack = 0;    // what rounding may do to a coordinate
+    double slack = 0;    // the tolerance of a coordinate
     std::vector<ExactPolygon> polygons;
-    mutable std::map<std::pair<int, int>, SeenPixel> pixels;  // as they are asked for
+    mutable std::map<std::pair<int, int>, SeenPixel> pixels;  // a cache
 
     Exactly(const Scene& given, Precision precision) : scene(given) {
         const Area& area = scene.area;
@@ -148,7 +149,7 @@ struct SceneTruth::Exactly {
 
     const ExactPolygon& at(int polygon) const { return polygons[std::size_t(polygon)]; }
 
-    /// The distance of a point from the line of an edge, times the edge's length, in units of the tolerance.
+    /// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line.
     int side_of(const Point2& from, const Point2& to, const Point2& p, double open) const {
         const Rational value = cross(from, to, p);
         const Rational length = magnitude(to.x - from.x) + magnitude(to.y - from.y);
@@ -167,7 +168,7 @@ struct SceneTruth::Exactly {
         return found;
     }
 
-    /// Which of the polygons that hold the point may be taken for the nearest. If there are none: the background.
+    /// The candidates that may be taken for the nearest at the point; the background if there are no candidates.
     std::vector<int> front_of(const std::vector<int>& candidates, const Point2& p) const {
         if (candidates.empty()) return {SeenPixel::background};
         const auto farther = [&](int q, int r) { return at(q).depth(p) < at(r).depth(p); };
@@ -180,7 +181,7 @@ struct SceneTruth::Exactly {
         return front;
     }
 
-    /// Whether the polygon, with p on its outline, has what lies beside p in that direction.
+    /// p lies on the outline: whether the points next to p in that direction belong to the polygon.
     bool goes_on(const ExactPolygon& polygon, const Point2& p, const Direction& direction) const {
         for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
             const Point2 &from = polygon.outline[i], &to = polygon.outline[(i + 1) % polygon.outline.size()];
@@ -263,7 +264,7 @@ double SceneTruth::depth(int polygon, double x, double y) const {
 bool SceneTruth::is_depth(int polygon, double x, double y, double z) const {
     if (!std::isfinite(x + y + z)) return false;
     const ExactPolygon& own = exactly_->at(polygon);
-    // Off the area a window's corner may be farther away than any coordinate.
+    // A window's corner outside the area may be farther away than any coordinate.
     const double far = std::max({1.0, std::abs(x) / exactly_->largest, std::abs(y) / exactly_->largest});
     return magnitude(own.depth({x, y}) - Rational(z)) <= Rational(own.depth_slack * far);
 }
@@ -363,7 +364,7 @@ std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth:
 }
 
 bool SceneTruth::same_coordinate(double v, double w) const {
-    // An edge that is nearly level multiplies the tolerance by its extent in a row.
+    // On a nearly horizontal edge, x changes much faster than y, which multiplies the tolerance.
     return std::abs(v - w) <= 64 * exactly_->slack;
 }
 
@@ -474,7 +475,7 @@ std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const R
     for (int q = 0; q < int(exactly_->polygons.size()); ++q) {
         const ExactPolygon& other = exactly_->at(q);
         if (q == polygon || !other.has_inside) continue;
-        // Clipping a loop by half-planes leaves edges that run to and fro along their lines; the area is right all the same.
+        // Clipping a loop by half-planes leaves edges that run back and forth along the clipping lines. They add no area.
         Rational twice(0);
         for (const auto& loop : region) {
             Outline2 part;
@@ -493,8 +494,8 @@ std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const R
     return std::nullopt;
 }
 
-/// By bands between the heights at which an outline has a vertex or two of them cross: in a band the polygons are trapezia, of
-/// which the union is a sum of intervals at its middle.
+/// Sums horizontal bands. Their borders are the heights of all vertices and crossings of outlines, so each polygon's part in a band is a
+/// trapezium, and the area of the union is the length of the union on the band's centre line times the band's height.
 double SceneTruth::covered_area() const {
     std::vector<Outline2> parts;
     for (const auto& polygon : exactly_->polygons) {

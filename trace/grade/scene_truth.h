@@ -1,11 +1,11 @@
-/// SceneTruth: what lies where in a scene, in exact rationals, and how far a program may be off that computes with rounding.
+/// SceneTruth: answers questions about a scene in exact rationals, with a tolerance for programs that compute with rounding.
 ///
-/// Rounding   an answer is open, and a program may give either, where the exact value is nearer to the borderline than
-///            2^10 units in the last place of the largest coordinate: what some hundred operations can add up to.
-/// Outline    who owns a point of an outline is a rule of its own. The rule of the picture gives it to every polygon that has
-///            it; another one is as right if it shows there what is seen beside the point in some direction. So points
-///            of an outline may belong to nobody, but where two polygons share an edge and nothing else is beside it, one of
-///            them must show.
+/// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give either answer. The
+///            tolerance is 2^10 units in the last place of the largest coordinate: some hundred operations can add up to it.
+/// Outline    A program may use its own rule for points of an outline. By the picture rule, such a point belongs to every polygon on
+///            whose outline it lies. Another rule is as right if it shows what is visible next to the point in some direction. So a
+///            point of an outline may belong to no polygon. But if two polygons share an edge and nothing else lies next to it, one
+///            of them must show.
 #pragma once
 
 #include <array>
@@ -24,21 +24,21 @@ namespace vidno {
 
 class Words;
 
-/// The numbers of a program.
+/// The floating-point type of a program: float or double.
 enum class Precision : unsigned char { single, twice };
 
 /// What may be seen at the centre of a pixel.
 struct SeenPixel {
     static constexpr int background = -1;
 
-    int by_rule = background;  // a polygon by its place
-    int by_none = background;  // if points of outlines belonged to nobody
-    std::vector<int> allowed;  // that one among them
-    bool on_outline = false;   // of any polygon
-    bool is_open = false;      // rounding may decide between two depths that differ
+    int by_rule = background;  // the index of the visible polygon by the picture rule
+    int by_none = background;  // the same if points of outlines belonged to no polygon
+    std::vector<int> allowed;  // all right answers, `by_rule` among them
+    bool on_outline = false;   // the centre lies on the outline of some polygon
+    bool is_open = false;      // rounding may decide between two different depths
 };
 
-/// The least box around a polygon.
+/// The bounding box of a polygon.
 struct PlainBox {
     double xmin, ymin, xmax, ymax;
 };
@@ -47,71 +47,76 @@ class SceneTruth {
 public:
     enum class Place : unsigned char { outside, outline, inside };
 
-    /// The scene is copied.
+    /// Copies the scene.
     SceneTruth(const Scene& scene, Precision precision);
     ~SceneTruth();
 
     const Scene& scene() const;
 
-    /// Whether the polygon can show at all: it is not edge-on.
+    /// Whether the polygon can be visible, that is, it is not edge-on. Functions of its depth or plane require it.
     bool has_inside(int polygon) const;
     Place place(int polygon, double x, double y) const;
-    /// As a double, for messages, not a number where the point is none; of a polygon that has an inside, as for all that follows.
+    /// The depth at a point, rounded to a double, for messages. NaN if x or y is not finite.
     double depth(int polygon, double x, double y) const;
+    /// Whether z is the depth at the point, within the tolerance.
     bool is_depth(int polygon, double x, double y, double z) const;
-    /// 1 if the first is nearer at the point, -1 if the other, 0 if they are equally near.
+    /// 1 if `polygon` is nearer at the point, -1 if `than` is, 0 if the depths agree within the tolerance.
     int nearer(int polygon, int than, double x, double y) const;
-    /// Whether rounding may decide between two depths that a program has computed.
+    /// Whether two depths that a program computed agree within the tolerance.
     bool nearly_equal(double z, double other) const;
     /// Whether the plane a x + b y + c z + d = 0 is the polygon's.
     bool is_plane(int polygon, const std::array<double, 4>& plane) const;
     /// The polygon's least depth at a vertex.
     double farthest(int polygon) const;
     PlainBox box(int polygon) const;
-    /// What its depth changes by from a column to the next.
+    /// The change of the polygon's depth from one column to the next.
     double depth_slope(int polygon) const;
 
-    /// On which side of an edge a point is: the sign of (edge's end - its begin) x (point - its begin); 0 if open.
+    /// The side of an edge on which a point lies: the sign of (edge's end - its start) x (point - its start); 0 within the tolerance.
     int side(int polygon, int edge, double x, double y) const;
-    /// Where an edge is at a height: x and z; none if it is level.
+    /// A point of an outline on a given horizontal line.
     struct Crossing {
         double x, z;
     };
+    /// Where the line of an edge crosses the height y; none if the edge is horizontal.
     std::optional<Crossing> crossing(int polygon, int edge, double y) const;
-    /// The ends of the polygon on a horizontal line, from the left; none if it does not meet it.
+    /// The left and the right end of the polygon on the horizontal line at y; none if the line misses the polygon.
     std::optional<std::pair<Crossing, Crossing>> ends(int polygon, double y) const;
-    /// The same of its part in a window.
+    /// The same for the polygon's part in a window.
     std::optional<std::pair<Crossing, Crossing>> ends_in(int polygon, const Window& window, double y) const;
-    /// Whether two coordinates are the same but for rounding; depths along an outline too.
+    /// Whether two coordinates agree within 64 times the tolerance.
     bool same_coordinate(double v, double w) const;
 
-    /// Whether the insides of polygon and window meet.
+    /// Whether the interiors of polygon and window overlap.
     bool meets(int polygon, const Window& window) const;
-    /// Whether the polygon holds the whole window.
+    /// Whether the polygon contains the whole window.
     bool holds(int polygon, const Window& window) const;
-    /// A polygon that is nearer than this one somewhere in the window; none if this one hides all others that reach into it.
+    /// A polygon that is nearer than this one somewhere in the window; none if this one hides all others there.
     std::optional<int> nearer_in(int polygon, const Window& window) const;
-    /// Whether the point is on the polygon, and on its plane; as exact as a clipped vertex.
+    /// Whether the point lies on the polygon and in its plane, within the tolerance of a clipped vertex.
     bool has_vertex(int polygon, const glm::dvec3& vertex) const;
     /// The part of the window in the area.
     Window in_area(const Window& window) const;
-    /// Why the vertices, in any order round the outline, are not those of the polygon's part in the window; none if they are.
+    /// Why the vertices do not form the polygon's part in the window; none if they do. They may start anywhere, in either direction.
     std::optional<std::string> no_part(int polygon, const Window& window, const std::vector<glm::dvec3>& vertices,
                                        const Words& say) const;
 
-    // Regions: loops, holes the other way round.
+    // Areas are in square pixels. The holes of a region run in the direction opposite to its outer loops.
     static double area_of(const RegionLoops& region);
     double area_in(int polygon, const Window& window) const;
-    /// How much of the area the polygons cover together.
+    /// The area that the polygons cover together.
     double covered_area() const;
+    /// Whether two areas agree within the tolerance.
     bool same_area(double told, double right) const;
-    /// Whether the point is in the polygon, or on its outline as exactly as a clipped vertex.
+    /// Whether the point lies in the polygon or, within the tolerance of a clipped vertex, on its outline.
     bool has_point(int polygon, double x, double y) const;
     /// A polygon that is nearer than this one in a part of the region, and the area of that part.
     std::optional<std::pair<int, double>> hidden_by(int polygon, const RegionLoops& region) const;
 
     const SeenPixel& seen(int column, int row) const;
-    Color color_of(int polygon) const;  // or of the background
+    /// The colour of the polygon, or of the background for SeenPixel::background.
+    Color color_of(int polygon) const;
+    /// Whether a pixel that shows the colour is right.
     bool allows(int column, int row, Color color) const;
 
 private:
@@ -119,7 +124,7 @@ private:
     std::unique_ptr<const Exactly> exactly_;
 };
 
-/// As messages have it: the shortest form.
+/// As messages write it: a number in its shortest form, a colour as #rrggbb, a window as x, y, width and height.
 std::string in_words(double value);
 std::string in_words(Color color);
 std::string in_words(const Window& window);

@@ -21,7 +21,7 @@ Vertices level(double left, double top, double right, double bottom, double z) {
     return {{left, top, z}, {right, top, z}, {right, bottom, z}, {left, bottom, z}};
 }
 
-/// From the left side to the right one its depth goes from one value to the other.
+/// A rectangle whose depth goes from z_left at its left side to z_right at its right side.
 Vertices sloping(double left, double top, double right, double bottom, double z_left, double z_right) {
     return {{left, top, z_left}, {right, top, z_right}, {right, bottom, z_right}, {left, bottom, z_left}};
 }
@@ -44,7 +44,7 @@ Scene scene(std::string name, const Area& area, const std::vector<Vertices>& pol
     return made;
 }
 
-/// From -1 to 1 that is two millionths, and what `float` cannot tell at these coordinates.
+/// About two millionths: a millionth of the range from -1 to 1. At these coordinates `float` cannot resolve it.
 constexpr double gap = 0x1p-19;
 
 Scene on(Color background, Scene scene) {
@@ -71,7 +71,7 @@ Scene convex_polygons(RandomPolygons& random) {
         if (random.whole(0, 1) == 1) std::reverse(angles.begin(), angles.end());
         Vertices vertices;
         for (const double degrees : angles) {
-            // In steps of 1/1024, so that no machine's sine shows.
+            // Rounded to 1/1024, so that the sines of all machines give the same scene.
             const auto stepped = [](double value) { return std::round(value * 1024) / 1024; };
             const double u = stepped(width * std::cos(degrees / 57.296)),
                          v = stepped(height * std::sin(degrees / 57.296));

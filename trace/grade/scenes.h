@@ -7,11 +7,11 @@
 
 namespace vidno {
 
-/// Small ones, ordinary first, each with one idea in its name.
+/// Small scenes, the ordinary ones first. The name of each states its idea.
 std::vector<Scene> scenes_to_grade();
 
-/// So many more, drawn at random, the same for a seed on every machine: by turns convex polygons anywhere in an area of any size, and one
-/// of the families in which vertices lie on centres, on edges and on each other.
+/// `count` random scenes, the same for a seed on every machine. Scenes of convex polygons in an area of any size alternate with scenes of
+/// the families in which vertices lie on pixel centres, on edges and on each other.
 std::vector<Scene> random_scenes_to_grade(unsigned seed, int count);
 
 }  // namespace vidno

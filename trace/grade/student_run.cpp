@@ -13,7 +13,7 @@ namespace vidno {
 
 namespace {
 
-/// On a line of its own, behind a mark that keeps an empty one and spaces.
+/// Writes the name on its own line, after a colon that preserves empty names and leading spaces.
 void append_name(Text& text, const std::string& name) {
     text += ':';
     for (const char c : name) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
@@ -80,7 +80,7 @@ StudentRun run_student(const std::filesystem::path& program, const Scene& scene,
     const Ended ended = run_contained(
         program, folder.path(), {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
     StudentRun run;
-    // A link would lead to a file that is not the program's own.
+    // A symbolic link could lead to a file that is not the program's own.
     const auto kind = std::filesystem::symlink_status(trace_file).type();
     if (kind == std::filesystem::file_type::regular) run = read_student_trace(read_file(trace_file.string()));
     run.ended = ended;

@@ -30,13 +30,13 @@ bool WarnockJudge::looked_at(int polygon) const {
     return std::find(counted_.begin(), counted_.end(), polygon) != counted_.end();
 }
 
-/// Whether what shows at a pixel has not been looked at in this window, as far as the program tells.
+/// Whether the visible polygon at a pixel is missing among those that the program counted in this window.
 bool WarnockJudge::overlooks(int column, int row) const {
     const int right = truth().seen(column, row).by_rule;
     return tells_counts_ && right != SeenPixel::background && !looked_at(right);
 }
 
-/// Whether nothing but this polygon may show there.
+/// Whether only this polygon may show at the pixel.
 bool WarnockJudge::needs(int column, int row, int polygon) const {
     const auto& allowed = truth().seen(column, row).allowed;
     return std::all_of(allowed.begin(), allowed.end(), [&](int q) { return q == polygon; });
@@ -112,7 +112,7 @@ void WarnockJudge::judge(const event::Pop& e) {
     rows_.clear();
 }
 
-/// A single polygon is painted on the background: only then do the pixels have their colours.
+/// In the case `single` the polygon is painted over the background, so the pixels are judged only when the window is done.
 void WarnockJudge::finish_window() {
     judge_parts();
     if (decided_ != Case::single) return;
@@ -302,7 +302,7 @@ void WarnockJudge::judge(const event::Mark& e) const {
                 say({"not all of its corners are inside", "не все углы окна лежат внутри"})};
 }
 
-/// So far nothing that was counted is nearer.
+/// The polygon must surround the window, and no polygon counted so far may be nearer at a corner.
 void WarnockJudge::judge(const event::Cover& e) {
     const int p = e.polygon.index;
     has_surround_ = true;
@@ -322,7 +322,7 @@ void WarnockJudge::judge(const event::Cover& e) {
     }
 }
 
-/// Strictly inside or not; where it touches the window's sides, either.
+/// Whether the polygon lies strictly inside. If it touches the window's sides, either answer is right.
 void WarnockJudge::judge(const event::Insider& e) const {
     const int p = e.polygon.index;
     const PlainBox box = truth().box(p);
@@ -365,7 +365,7 @@ void WarnockJudge::judge_surrounded(Color color) {
     if (!is_pixel()) judge_surrounds(color);
 }
 
-/// Some polygon of the colour must surround the window, and be nearer than all others in it, between the pixels too.
+/// Some polygon of the colour must surround the window and be nearer than all others everywhere in it, between the pixel centres too.
 void WarnockJudge::judge_surrounds(Color color) const {
     const Window window = truth().in_area(window_);
     std::optional<std::pair<int, int>> before;  // one that surrounds it, and one that is nearer
@@ -400,9 +400,9 @@ void WarnockJudge::judge_empty() {
     }
 }
 
-/// Some polygon and the background must be enough for all pixels.
+/// One polygon and the background must suffice for all pixels of the window.
 void WarnockJudge::judge_single() {
-    std::optional<std::pair<int, int>> first;  // a pixel that needs a polygon
+    std::optional<std::pair<int, int>> first;  // the first pixel that cannot show the background
     std::set<Color, decltype([](const Color& a, const Color& b) {
                  return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
              })>
@@ -427,7 +427,7 @@ void WarnockJudge::judge_single() {
     });
 }
 
-/// The case must be one that what ProcessWindow found allows.
+/// The case must follow from what ProcessWindow found.
 void WarnockJudge::judge_follows(Case which) const {
     if (!summary_) return;
     const auto& [at, count, has_surround, color, insider] = *summary_;
@@ -520,7 +520,7 @@ void WarnockJudge::judge(const event::ClipSide& e) {
                 say({"that is no side of it", "такой стороны у него нет"})};
 }
 
-/// 1 if a vertex lies outside by the current side, -1 if it lies inside, 0 if it is on the side or nothing is known.
+/// 1 if a vertex lies on the outer side of the current clipping line, -1 if on the inner side, 0 if on the line or if there is no line.
 int WarnockJudge::beyond_side(const ValueVertex& v) const {
     if (!side_) return 0;
     const auto& [from, to] = *side_;
@@ -598,7 +598,7 @@ void WarnockJudge::judge(const event::ClipResult& e) {
     clipped_ = p;
 }
 
-/// The rows before a `draw`: their ends are those of the polygon or of its part in the window.
+/// The ends of the rows before a `draw` must be those of the polygon or of its part in the window.
 void WarnockJudge::judge_rows(int polygon) {
     if (!truth().has_inside(polygon)) return;
     for (const event::Row& e : rows_) {

@@ -1,4 +1,4 @@
-/// The claims of Warnock's algorithm.
+/// Judges the claims of Warnock's algorithm.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@ public:
     WarnockJudge(const SceneTruth& truth, const State& state, std::set<Difference>& differences, const Words& words)
         : Claims(truth, state, differences, words), tree_(truth.scene().area) {}
 
-    /// Before the state takes the event. Throws False.
+    /// Judges an event; call it before the state applies the event. Throws False.
     void take(const EventView& event, std::uint64_t step) {
         step_ = step;
         event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
-    /// After the last event. Throws False.
+    /// Judges the final picture; call it after the last event. Throws False.
     void finish();
 
-    /// What a claim is about, beside a polygon.
+    /// The current window, in words: claims are about it.
     std::string place() const { return in_words(window_); }
 
 private:
     using Corners = std::array<std::optional<double>, 4>;
 
-    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Push& e);
     void judge(const event::Skip& e) { tree_.skip(e.window); }
@@ -89,24 +89,24 @@ private:
 
     WindowTree tree_;
     std::uint64_t step_ = 0, last_step_ = 0;
-    std::set<std::pair<int, int>> painted_;  // pixels
+    std::set<std::pair<int, int>> painted_;  // column and row
 
     // About the current window
     Window window_;
     std::optional<Case> decided_;
     std::optional<event::Summary> summary_;
     std::vector<int> counted_;
-    bool tells_counts_ = false;   // anywhere
-    Corners nearest_, compared_;  // as the program has them; since `nearer`, as its comparisons leave them
+    bool tells_counts_ = false;  // the trace has counted polygons in some window
+    // The program's nearest depths as of `nearer`, and as its comparisons since then leave them
+    Corners nearest_, compared_;
     std::map<int, Corners> depths_;
-    std::optional<bool> has_surround_;        // as `cover` and `uncover` leave it
-    std::optional<double> nearest_of_point_;  // of PointColor
+    std::optional<bool> has_surround_;        // after `cover` and `uncover`
+    std::optional<double> nearest_of_point_;  // in PointColor
 
-    std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // by which is being clipped
-    int clipped_ = -1;                                       // polygon
+    std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // the side that clips now
+    int clipped_ = -1;                                       // the polygon that is being clipped; -1 if unknown
     std::vector<event::Row> rows_;                           // since the last `draw`
-    std::map<int, int>
-        orientations_;  // of each polygon: which sign its program gives to the side that we call positive
+    std::map<int, int> orientations_;  // for each polygon, the sign that the program gives to our positive side
 };
 
 }  // namespace vidno::grading

@@ -9,7 +9,7 @@ void WeilerAthertonJudge::judge(const event::Depth& e) const {
     judge_depth(e.polygon.index, e.point.x.number, e.point.y.number, e.z.number);
 }
 
-/// A region lies in its polygon and in the area.
+/// A region must lie in its polygon and in the area.
 void WeilerAthertonJudge::judge_inside(int polygon, const RegionLoops& region, const std::string& what) const {
     const Area& area = scene().area;
     for (const auto& loop : region) {
@@ -68,7 +68,7 @@ void WeilerAthertonJudge::judge(const event::Order& e) {
     judge_order(e.z.number, e.other_z.number, e.order);
 }
 
-/// Nothing is nearer than what is shown, anywhere in the region.
+/// No polygon may be nearer than the shown one anywhere in the region.
 void WeilerAthertonJudge::judge(const event::Show& e) {
     const int p = e.polygon.index;
     tells_regions_ = true;
@@ -102,7 +102,7 @@ void WeilerAthertonJudge::judge(const event::Paint& e) {
     }
 }
 
-/// All that is visible was shown.
+/// The visible regions must add up to the area that the polygons cover.
 void WeilerAthertonJudge::finish() {
     const double right = truth().covered_area();
     if (tells_regions_ && !truth().same_area(shown_, right)) {

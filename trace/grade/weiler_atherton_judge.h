@@ -1,4 +1,4 @@
-/// The claims of Weiler and Atherton's algorithm.
+/// Judges the claims of Weiler and Atherton's algorithm.
 #pragma once
 
 #include "grade/claims.h"
@@ -9,18 +9,18 @@ class WeilerAthertonJudge : public Claims {
 public:
     using Claims::Claims;
 
-    /// Before the state takes the event. Throws False.
+    /// Judges an event; call it before the state applies the event. Throws False.
     void take(const EventView& event, std::uint64_t) {
         event.visit([this](const auto& e) { judge(e); });
     }
-    /// After the last event. Throws False.
+    /// Judges the visible regions together and the final picture; call it after the last event. Throws False.
     void finish();
 
-    /// A claim is about polygons alone.
+    /// Empty: claims are about polygons only.
     std::string place() const { return ""; }
 
 private:
-    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Depth& e) const;
     void judge(const event::CutToArea& e) const;
@@ -33,7 +33,7 @@ private:
     void judge_inside(int polygon, const RegionLoops& region, const std::string& what) const;
     void judge_order(double z, double other, Sign order);
 
-    double shown_ = 0;  // area
+    double shown_ = 0;  // the sum of the areas of visible regions
     bool tells_regions_ = false, paints_ = false;
 };
 

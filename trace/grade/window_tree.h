@@ -1,4 +1,4 @@
-/// WindowTree: which windows came from which, in whatever order they are looked at, and whether the parts of each cover it.
+/// WindowTree: records which window each window is part of, in any order of processing, and whether the parts of a window cover it.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +13,35 @@ class WindowTree {
 public:
     explicit WindowTree(const Area& area) : area_(area) {}
 
-    /// A window without parts that cover it, and the step at which its last part was told.
+    /// A split window that its parts do not cover, and the step at which its last part came.
     struct Uncovered {
         Window window;
-        int column, row;  // a pixel that no part has
+        int column, row;  // the first pixel in none of the parts
         std::uint64_t step;
     };
 
-    /// A part belongs to the smallest window that was split and holds it: a program that tells a part when its turn comes may have
-    /// looked at any others since. A window that waits already may be told again. False if it is no part of any.
+    /// Adds a window that waits to be processed. Its parent is the smallest split window that contains it, not always the current one: a
+    /// program may report a part only just before it processes that part. A waiting window may be reported again. False if there is no
+    /// parent.
     bool push(const Window& window, std::uint64_t step);
+    /// Adds a part that will not be processed.
     void skip(const Window& window);
     /// The window becomes the current one.
     void pop(const Window& window);
+    /// Splits the current window.
     void split(std::uint64_t step);
 
-    /// What the parts of the current window leave uncovered, if it was split and they come all at once.
+    /// What the parts of the current window leave uncovered, if the trace has reported at least two of them since it became current.
     std::optional<Uncovered> uncovered_now() const;
-    /// The same for any window.
+    /// The same for all windows: the first that its parts do not cover.
     std::optional<Uncovered> uncovered() const;
 
-    /// Each part was told when its turn came, and its own parts came right after it.
+    /// The program processes each part as soon as it reports it, and the part's own parts next.
     bool is_recursive() const { return in_turn_ && !breadth_first_; }
-    /// Other windows came between a window and its parts.
+    /// The program processes other windows between a window and its parts.
     bool is_breadth_first() const { return breadth_first_; }
 
-    /// The parts of the current window, in their order.
+    /// The parts of the current window in the order of the trace.
     const std::vector<Window>& parts() const { return nodes_[current_].parts; }
     bool empty() const { return nodes_.empty(); }
 
@@ -48,7 +51,7 @@ private:
         bool split = false;
         bool waits = true;
         std::uint64_t step = 0;
-        std::size_t at_once = 0;  // parts that were told while this was the current window
+        std::size_t at_once = 0;  // the number of parts that came while this was the current window
         std::vector<Window> parts{};
     };
 

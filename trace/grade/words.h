@@ -1,5 +1,5 @@
-/// Words: the sentences of a report in one of the languages. A sentence has places, {}, which its arguments take in turn, or {0}, {1}
-/// and so on where the languages have them in another order.
+/// Words: the sentences of a report in one language. The arguments replace the places {} in turn, or the numbered places {0}, {1} and so
+/// on if the order differs between the languages.
 #pragma once
 
 #include <algorithm>
@@ -39,13 +39,13 @@ public:
         return text;
     }
     std::string said(const Color& color) const { return in_words(color); }
-    /// Where it begins, and its size.
+    /// The corner of least coordinates, and the size.
     std::string said(const Window& w) const { return rectangle(point(w.x, w.y), said(w.width), said(w.height)); }
     std::string said(const PixelRectangle& r) const {
         return rectangle(point(r.x, r.y), said(r.width), said(r.height));
     }
 
-    /// "(1, 2)", or in Russian "(1; 2)"; of a vertex three numbers.
+    /// "(1, 2)", in Russian "(1; 2)"; three numbers for a vertex.
     std::string point(const auto&... coordinates) const {
         std::string text;
         ((text += (text.empty() ? "" : separator()) + said(coordinates)), ...);

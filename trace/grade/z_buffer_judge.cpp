@@ -20,7 +20,7 @@ void ZBufferJudge::judge(const event::Polygon& e) {
     finish_polygon(*before);
 }
 
-/// What is nearer than all before it must show where it is.
+/// The finished polygon must show wherever it is nearer than all polygons before it.
 void ZBufferJudge::finish_polygon(int polygon) {
     if (!truth().has_inside(polygon)) return;
     const Area& area = scene().area;
@@ -104,7 +104,7 @@ void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
                 say({"at y = {} it is at x = {}, z = {}", "при y = {} у него x = {}, z = {}"}, y, right->x, right->z)};
 }
 
-/// Where it is, what a row changes, and until which row it stays.
+/// Judges the edge's x and z on the row, their changes from row to row, and its last row.
 void ZBufferJudge::judge(const event::AelAdd& e) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     judge_edge(*polygon_, e.edge);
@@ -115,7 +115,7 @@ void ZBufferJudge::judge(const event::AelAdd& e) const {
                below = truth().crossing(*polygon_, e.edge, std::max(p.y, q.y));
     if (!above) return;
     const double rows = std::abs(q.y - p.y), dx = (below->x - above->x) / rows, dz = (below->z - above->z) / rows;
-    // From one end to the other what rounding leaves open is what it leaves open at an end.
+    // Over all rows of the edge the error may be as large as at one end, so the changes are multiplied by the number of rows.
     if (!truth().same_coordinate(e.dx.number * rows, dx * rows) ||
         !truth().nearly_equal(e.dz.number * rows, dz * rows)) {
         throw False{Symptom::edge,
@@ -156,7 +156,7 @@ void ZBufferJudge::judge(const event::AelSort& e) const {
     }
 }
 
-/// An edge may go when its last row is done, and not before.
+/// An edge may leave AEL only after its last row.
 void ZBufferJudge::judge(const event::AelDrop& e) const {
     if (!polygon_ || !state().row() || *state().row() + 1 >= scene().area.bottom()) return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
@@ -193,7 +193,7 @@ void ZBufferJudge::judge(const event::ShownLine& e) {
         throw False{Symptom::edge, told,
                     say({"it goes from {} to {}", "он занимает от {} до {}"}, right->first.x, right->second.x)};
     }
-    // The second number of such a point is its z.
+    // The second coordinate of such a point is its z.
     for (const ValuePoint& end : {from, to}) {
         if (std::isfinite(end.x.number) &&
             truth().nearly_equal(end.y.number, truth().depth(*polygon_, end.x.number, y)))
@@ -232,7 +232,7 @@ void ZBufferJudge::judge_covered(int column, int row) const {
                         : say({"that is not in the area", "он не лежит в области"})};
 }
 
-/// The current polygon takes a pixel: nothing nearer may be there.
+/// The current polygon takes a pixel: the pixel must not show a nearer one.
 void ZBufferJudge::judge_shown(int column, int row) {
     judge_covered(column, row);
     Cell& own = cell(column, row);

@@ -1,4 +1,4 @@
-/// The claims of the Z-buffer.
+/// Judges the claims of the Z-buffer.
 #pragma once
 
 #include <map>
@@ -11,24 +11,24 @@ class ZBufferJudge : public Claims {
 public:
     using Claims::Claims;
 
-    /// Before the state takes the event. Throws False.
+    /// Judges an event; call it before the state applies the event. Throws False.
     void take(const EventView& event, std::uint64_t step) {
         event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
-    /// After the last event. Throws False.
+    /// Judges the last polygon and the final picture; call it after the last event. Throws False.
     void finish();
 
-    /// What a claim is about, beside a polygon.
+    /// The index of the current polygon, in words; empty if there is none.
     std::string place() const { return polygon_ ? std::to_string(*polygon_) : ""; }
 
 private:
     struct Cell {
-        std::optional<double> z;              // as the program has it
-        int polygon = SeenPixel::background;  // that it shows
+        std::optional<double> z;              // the program's depth
+        int polygon = SeenPixel::background;  // the polygon that it shows
     };
 
-    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Clear& e);
     void judge(const event::Polygon& e);
@@ -55,7 +55,7 @@ private:
 
     std::optional<int> polygon_;
     std::uint64_t last_step_ = 0;
-    std::map<std::pair<int, int>, Cell> cells_;  // those that were written
+    std::map<std::pair<int, int>, Cell> cells_;  // the cells that were written, by column and row
     std::optional<double> cleared_;
     std::optional<event::ShownLine> line_;  // the last one
 };

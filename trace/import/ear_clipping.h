@@ -17,7 +17,7 @@ namespace vidno {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// The largest outline that is tried. Nobody draws a face that is not convex with more corners.
+/// The largest outline that is tried. In practice, faces that are not convex have fewer corners.
 inline constexpr std::size_t most_corners_to_clip = 512;
 
 /// Do two edges cross in a point inside both?

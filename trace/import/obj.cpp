@@ -4,7 +4,7 @@
 namespace vidno {
 
 MeshSoup read_obj(std::string_view bytes) {
-    std::string unfolded(bytes);  // a backslash at its end continues a line
+    std::string unfolded(bytes);  // a backslash at the end of a line continues it
     for (const std::string_view fold : {"\\\n", "\\\r\n"}) {
         for (std::size_t at = unfolded.find(fold); at != std::string::npos; at = unfolded.find(fold, at)) {
             std::fill_n(unfolded.begin() + std::ptrdiff_t(at), fold.size(), ' ');
@@ -23,7 +23,7 @@ MeshSoup read_obj(std::string_view bytes) {
             const auto points = std::int64_t(soup.points.size());
             for (std::string_view corner = words.word(); !corner.empty(); corner = words.word()) {
                 std::int64_t index = words.whole_number(corner.substr(0, corner.find('/')));
-                if (index < 0) index = index < -points ? 0 : points + index + 1;  // counted back from the latest
+                if (index < 0) index = index < -points ? 0 : points + index + 1;  // counts back from the last
                 if (index == 0) words.refuse("a face of a vertex that is not there");
                 greatest_index = std::max(greatest_index, index);
                 face.push_back(std::size_t(index - 1));

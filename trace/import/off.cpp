@@ -17,7 +17,7 @@ MeshSoup read_off(std::string_view bytes) {
     if (first.empty() && words.next_line_with_words('#')) first = words.word();
     const std::uint64_t points = words.count(first);
     const std::uint64_t faces = words.count(words.word());
-    check_count(points, "vertices", 6, words.bytes_left() + 1);  // "0 0 0" and a line end, which the last may lack
+    check_count(points, "vertices", 6, words.bytes_left() + 1);  // "0 0 0" and a newline, which the last line may lack
     check_count(faces, "faces", 2, words.bytes_left() + 1);
     check_face_count(faces);
 

@@ -29,7 +29,7 @@ public:
 
     const Pin& pin() const { return *pin_; }
 
-    /// After the last line: the step, none if there is none.
+    /// Call it after the last line: the step; none if the run has no such step.
     std::optional<std::uint64_t> step() const { return step_; }
     /// How the run differs from the pin; empty if it does not.
     std::string objection() const;

@@ -83,7 +83,7 @@ private:
 
     void mark(cmark_node* node, std::string what) { story_.marks.push_back({line_of(node), std::move(what)}); }
 
-    /// Inline content has no line of its own in CommonMark's tree, nor have the cells of a table.
+    /// CommonMark's tree gives no line for inline content or for the cells of a table.
     static int line_of(cmark_node* node) {
         while (cmark_node_get_start_line(node) == 0 && cmark_node_parent(node)) node = cmark_node_parent(node);
         return cmark_node_get_start_line(node);

@@ -271,7 +271,7 @@ std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     return sides;
 }
 
-/// The part of a line inside the other half-planes, from `low` to `high` along it; an end that is none is at infinity.
+/// The part of a line inside the other half-planes, from `low` to `high` along it. An end without a value is at infinity.
 struct Part {
     std::optional<Rational> low, high;
     bool is_empty = false;

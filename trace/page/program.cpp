@@ -50,7 +50,7 @@ int run_to_end(const std::vector<std::string>& command, std::FILE* input, std::F
     return status;
 }
 
-/// Without blank lines at the end of the text; nothing if there is none.
+/// The last line of the text that is not blank; empty if there is none.
 std::string last_line(std::string text) {
     text.erase(text.find_last_not_of(" \n") + 1);
     return text.substr(text.rfind('\n') + 1);

@@ -7,7 +7,7 @@
 
 namespace vidno {
 
-/// The rows from the top, three bytes R, G, B a pixel.
+/// The rows from top to bottom, with three bytes R, G, B for each pixel.
 inline std::string rgb_rows(const Picture& picture) {
     std::string bytes;
     bytes.reserve(picture.pixels().size() * 3);
@@ -15,7 +15,7 @@ inline std::string rgb_rows(const Picture& picture) {
     return bytes;
 }
 
-/// The bytes of the file; the extension, .png or .ppm, decides which. Throws Refused for any other.
+/// The picture as the bytes of a PNG or PPM file. The extension of `name` selects the format: .png or .ppm. Throws Refused for any other.
 std::string encode_image(const Picture& picture, const std::string& name);
 
 }  // namespace vidno

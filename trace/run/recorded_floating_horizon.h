@@ -1,4 +1,4 @@
-/// The procedure set of recorded and judged runs over curves: the edition is chosen at run time (recorded_set.h does so for polygons).
+/// The procedure set of recorded and judged runs over curves. It selects the edition at run time, as recorded_set.h does for polygons.
 #pragma once
 
 #include "choice/edition.h"

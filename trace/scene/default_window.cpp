@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-/// From the least coordinate to the greatest, in whole pixels.
+/// The range from the least coordinate to the greatest, extended to whole pixels.
 struct Extent {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
 

@@ -24,7 +24,7 @@ struct NamedRun {
 struct Shows {
     std::optional<std::pair<int, int>> pixel;  // this pixel is painted wrong
     std::optional<std::pair<int, int>>
-        column;  // of a curve, by its place: it is drawn over this column, or not, and should not, or should
+        column;  // a curve, by its index, and a column over which it is drawn wrongly or wrongly not drawn
     std::optional<std::pair<int, double>> place;  // the same at an x between columns
     std::string wrong;                            // a procedure with a wrong decision
     std::string fault;                            // a line of the listing at which the run faults
@@ -39,7 +39,7 @@ struct Failure {
     };
     Words title, why, remedy;
     std::string source;             // published; may be empty
-    std::string test;               // where no scene can show it, the name of the test that does
+    std::string test;               // the name of the test that shows it, if no scene can
     std::optional<AnyScene> scene;  // one of these two
     // Only for a failure with a scene.
     NamedRun fails, holds;

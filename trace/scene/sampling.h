@@ -28,7 +28,7 @@ struct FunctionSurface {
     double left = 0, right = 1;        // x at the curves' ends
     double nearest = 1, farthest = 0;  // z of the first curve and of the last
     int curves = 2;                    // at least 2
-    int samples = 2;  // of each curve, evenly apart but for whole columns; 2 <= samples <= columns across + 1
+    int samples = 2;  // of each curve, evenly spaced except for rounding to columns; 2 <= samples <= columns across + 1
     std::optional<double> tolerance;  // pixels: see sampled
     SurfaceView view;
 };

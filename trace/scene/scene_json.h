@@ -13,7 +13,7 @@ class JsonNode;
 
 struct SceneWithWarnings {
     Scene scene;                        // admitted: convex, planar, edge-on decided; a camera is applied already
-    std::vector<std::string> warnings;  // what was dropped or cut, a line each, file first
+    std::vector<std::string> warnings;  // what was dropped or cut; each line begins with the file
 };
 
 /// `text` is the JSON, `file` is its name in messages. Everything but the vertices has a default: the window is the span of the vertices,

@@ -47,7 +47,7 @@ struct Experiment {
 
     Kind kind;
     std::string_view how;  // different for each of a kind
-    std::int64_t amount;   // of ulps, of pixels a side
+    std::int64_t amount;   // in ulps, or in pixels of a side
     std::uint64_t price;   // the cost of a trial, in runs: there are fewer trials of expensive ones
     std::vector<Scene> (*series)(const Family&, RandomPolygons&, std::int64_t amount);  // the scenes of a trial
 };

@@ -32,7 +32,7 @@ Journal::Journal(const std::string& name, std::string_view first_line) : name_(n
         if (!text_.starts_with(first_line) && !first_line.starts_with(text_)) {
             throw Refused(name + ": of another campaign, or not a file of results");
         }
-        text_.resize(text_.rfind('\n') + 1);  // to nothing if there is none
+        text_.resize(text_.rfind('\n') + 1);  // empty if there is no newline
         if (ftruncate(file_, off_t(text_.size())) != 0) refuse(name);
         if (text_.empty()) append(text_ = first_line);
     } catch (...) {

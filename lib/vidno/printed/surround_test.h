@@ -1,6 +1,6 @@
 /// SurroundTest as printed: the search for the first sign does not stop at the end of the list.
 ///
-/// X-W4  a point on the lines of all edges, as computed, reads past the last vertex: a fault.
+/// X-W4  for a point that, as computed, lies on the lines of all edges, the search reads past the last vertex: a fault.
 #pragma once
 
 #include "../fault.h"

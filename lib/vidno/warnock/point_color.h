@@ -1,7 +1,7 @@
 /// PointColor: the colour of the nearest polygon at a point.
 ///
-/// Takes   a point and the polygons that may hold it.
-/// Gives   the colour of the first of the nearest ones, the background if none holds the point.
+/// Takes   a point and the polygons that may contain it.
+/// Gives   the colour of the first of the nearest ones; the background if no polygon contains the point.
 #pragma once
 
 #include "../run.h"

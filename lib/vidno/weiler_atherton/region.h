@@ -17,7 +17,7 @@ struct SupportLine {
     Point<Number> on;
 };
 
-/// The point where two edges meet. It stores their lines, so that nobody has to compute that it lies on them.
+/// The point where two edges meet. It stores their lines, so no computation is needed to know that it lies on them.
 template <class Number>
 struct LoopVertex {
     Point<Number> at;

@@ -1,4 +1,4 @@
-/// ShowLine: the pixels of one scanline between two active edges, each painted if it is nearer than what is there.
+/// ShowLine: the pixels of one scanline between two active edges, each painted if it is nearer than the stored depth.
 ///
 /// Takes   a row, the two ends (active edges, or the vertices of a level one), and the polygon.
 /// Gives   picture and depths changed at the pixel centres from the left end to the right, both included.

@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: a point is inside if the outline is seen from it under a whole turn, or if it is on the outline.
+// Warnock's algorithm, right: a point is inside if the outline turns once around it or if it lies on the outline.
 #include "warnock_style.h"
 
 struct Angles : PlainStyle {

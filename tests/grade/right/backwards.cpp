@@ -1,4 +1,4 @@
-// The Z-buffer, right: the polygons from the last to the first, pixels from right to left.
+// The Z-buffer, right: it draws the polygons from the last to the first, and their pixels in reverse order.
 #include "z_buffer_style.h"
 
 struct Backwards : PlainStyle {

@@ -1,4 +1,4 @@
-// The Z-buffer, right: a polygon is a fan of triangles, and a pixel's depth the mean of the corners', weighted by areas.
+// The Z-buffer, right: a polygon is a fan of triangles, and a pixel's depth is the barycentric mean of the corners' depths.
 #include "z_buffer_style.h"
 
 struct Barycentric : PlainStyle {

@@ -1,4 +1,4 @@
-// The Z-buffer, right: column by column.
+// The Z-buffer, right: it draws each polygon column by column.
 #include "z_buffer_style.h"
 
 struct Columns : PlainStyle {

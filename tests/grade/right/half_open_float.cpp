@@ -1,4 +1,4 @@
-// The Z-buffer, right: in float, without lists of edges; a polygon has its left and upper outline and not the others.
+// The Z-buffer, right: it computes in float without lists of edges. A polygon includes its left and upper outline only.
 #include "../course.h"
 
 int main() {

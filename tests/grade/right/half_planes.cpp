@@ -1,4 +1,4 @@
-// The Z-buffer, right: every pixel of the area is asked; the depths start at minus infinity.
+// The Z-buffer, right: it tests every pixel of the area, and the depths start at minus infinity.
 #include <limits>
 
 #include "z_buffer_style.h"

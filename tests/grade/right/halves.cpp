@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: a window is cut in two, across its longer side.
+// Warnock's algorithm, right: it cuts a window in two across its longer side.
 #include "warnock_style.h"
 
 struct Halves : PlainStyle {

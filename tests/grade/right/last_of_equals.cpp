@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: of equally near polygons the last one shows.
+// Warnock's algorithm, right: the last of several equally near polygons shows.
 #include "warnock_style.h"
 
 struct LastOfEquals : PlainStyle {

@@ -1,5 +1,5 @@
-// Warnock's algorithm, right: polygons from the last to the first, parts and corners in an order of its own, the window's sides
-// from the right one on, and polygons that are hidden leave the list.
+// Warnock's algorithm, right: it takes polygons from the last to the first, parts and corners in its own order, and clips by the right side
+// first.
 #include <deque>
 
 #include "../course.h"
@@ -40,7 +40,7 @@ private:
         trace_.push(tile.x, tile.y, tile.side, tile.side);
     }
 
-    /// What surrounds the tile and is nearer at all corners than all else: its place in the list, or -1.
+    /// The index in the list of the polygon that surrounds the tile and is the nearest at all corners; -1 if there is none.
     int cover_of(const Tile& tile) {
         int best = -1;
         double nearest[4] = {farthest, farthest, farthest, farthest};

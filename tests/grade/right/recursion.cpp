@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: by recursion, and as few steps as will do.
+// Warnock's algorithm, right: it recurses and reports as few steps as possible.
 #include "../course.h"
 
 class Drawing {

@@ -1,9 +1,9 @@
-// Warnock's algorithm, right, and told with all calls: the program whose mutants mutants.py makes.
+// Warnock's algorithm, right: it reports every step. mutants.py makes mutants of this program.
 #include "example.h"
 
 using namespace vidno::student;
 
-const double farthest = -2;  // behind all that is visible
+const double farthest = -2;  // behind all visible depths
 
 struct Point {
     double x, y;
@@ -22,13 +22,13 @@ struct Active {
     bool surrounds;
 };
 
-/// A square, and the polygons that may show in it.
+/// A square window and the polygons that may show in it.
 struct Window {
     double x, y, size;
     std::vector<Active> polygons;  // APL
 };
 
-/// What ProcessWindow finds.
+/// The result of ProcessWindow.
 struct Summary {
     int count = 0;
     bool has_surround = false, insider = false;
@@ -40,7 +40,7 @@ int sign(double value) { return (value > 0) - (value < 0); }
 /// (a - o) x (b - o)
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
-/// By Newell's sum about the first vertex: the first three may lie on a line.
+/// Uses Newell's sum about the first vertex, because the first three vertices may lie on a line.
 Plane plane_of(const std::vector<Vertex>& vertices) {
     const Vertex& o = vertices[0];
     Plane plane{0, 0, 0, 0};
@@ -63,7 +63,7 @@ Box box_of(const std::vector<Vertex>& vertices) {
     return box;
 }
 
-/// The first row or column whose centre lies at v or after it.
+/// The first row or column whose centre is at v or greater.
 int first_centre(double v) { return int(std::ceil(v - 0.5)); }
 
 class Warnock {

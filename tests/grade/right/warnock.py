@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Warnock's algorithm, right, in another language and in exact fractions: recursion down to the pixels, but for empty windows."""
+"""Warnock's algorithm, right, in another language and in exact fractions: it splits all windows down to pixels except empty ones."""
 import hashlib
 import json
 import os
@@ -32,7 +32,7 @@ def cross(o, a, b):
 
 
 class Convex:
-    """A polygon in fractions, with the three vertices of its largest triangle for the plane."""
+    """A polygon in fractions. The largest triangle of its fan gives its plane."""
 
     def __init__(self, colour, vertices):
         self.colour = colour

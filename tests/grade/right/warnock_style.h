@@ -1,4 +1,4 @@
-// Warnock's algorithm as a frame: what the right programs beside it do each in a way of its own is what their `Style` hides.
+// A template of Warnock's algorithm. The `Style` of each program that uses it replaces a part of it.
 #ifndef WARNOCK_STYLE_H
 #define WARNOCK_STYLE_H
 
@@ -14,10 +14,10 @@ struct Tile {
     Point corner(int i) const { return {x + (i >= 2 ? width : 0), y + (i % 2 == 1 ? height : 0)}; }
 };
 
-/// Polygons by their boxes, four equal parts, no tests of hiding, a single polygon clipped.
+/// The default style: it keeps the windows on a stack, splits them into four equal parts, and clips a single polygon.
 struct PlainStyle {
     static const bool first_in_first_out = false;
-    static const bool tells_in_turn = false;  // else when a window is put on the stack
+    static const bool tells_in_turn = false;  // if false, it reports a window when it puts the window on the stack
     static const bool draws_single = true;
 
     static Tile first(const Scene& scene) {
@@ -40,7 +40,7 @@ struct PlainStyle {
         }
         return true;
     }
-    /// What hides all others in a window: what was found to do so in it, -1 if nothing was.
+    /// The polygon taken to hide all others in a window, given the one that was found to do so there; -1 if there is none.
     static int hiding(int found) { return found; }
 };
 
@@ -117,7 +117,7 @@ private:
         }
     }
 
-    /// One that surrounds the tile and hides all others there; -1 if there is none.
+    /// A polygon that surrounds the tile and hides all others there; -1 if there is none.
     int hiding(const Tile& tile) const {
         for (const int i : tile.list) {
             bool hides = true;

@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: it begins with the area itself, whatever its sides are, and of an odd side the second part has one pixel more.
+// Warnock's algorithm, right: the first window is the area itself. If a side is odd, the second part is one pixel longer.
 #include "warnock_style.h"
 
 struct WholePixels : PlainStyle {

@@ -1,4 +1,4 @@
-// The Z-buffer with an active edge list, as one writes it for the course. The calls of `trace` are what vidno needs.
+// The Z-buffer with an active edge list, as a student writes it for the course. The calls of `trace` report the steps to vidno.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl
 #include <limits>
@@ -7,16 +7,16 @@
 
 using namespace vidno::student;
 
-const double farthest = -2;  // behind all that is visible
+const double farthest = -2;  // behind all visible depths
 const double never = std::numeric_limits<double>::infinity();
 
 /// An edge of the current polygon, upper end first.
 struct Edge {
     int index;
     Vertex from, to;
-    int first_row, last_row;  // the rows whose centre it crosses
-    double x, z;              // where it is on the current row
-    double dx, dz;            // what a row changes
+    int first_row, last_row;  // the first and last row whose centre line it crosses
+    double x, z;              // on the current row
+    double dx, dz;            // change from row to row
 };
 
 std::vector<int> indices(const std::vector<Edge>& edges) {
@@ -25,7 +25,7 @@ std::vector<int> indices(const std::vector<Edge>& edges) {
     return all;
 }
 
-/// The first row or column whose centre lies at v or after it.
+/// The first row or column whose centre is at v or greater.
 int first_centre(double v) { return int(std::ceil(v - 0.5)); }
 
 class ZBuffer {
@@ -58,7 +58,7 @@ private:
         }
     }
 
-    /// Edges that cross no row of the area are left out, level ones among them.
+    /// Leaves out edges that cross no centre line of a row of the area, such as horizontal edges.
     std::vector<Edge> sorted_edges(const std::vector<Vertex>& vertices) {
         std::vector<Edge> edges;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -103,7 +103,7 @@ private:
         trace_.ael_drop(gone, first_end(active));
     }
 
-    /// The first row at which an edge has ended.
+    /// The first row after the end of some active edge.
     static double first_end(const std::vector<Edge>& active) {
         double end = never;
         for (const Edge& edge : active) end = std::min(end, edge.last_row + 1.0);

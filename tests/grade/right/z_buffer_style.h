@@ -1,10 +1,10 @@
-// The Z-buffer as a frame: `Style` says which pixels a polygon has, in which order, and how deep it is there.
+// A template of the Z-buffer. `Style` gives the pixels of a polygon, their order, and the depths there.
 #ifndef Z_BUFFER_STYLE_H
 #define Z_BUFFER_STYLE_H
 
 #include "../course.h"
 
-/// What a style gives for a polygon: a pixel and the depth at its centre.
+/// A pixel of a polygon and the polygon's depth at its centre.
 struct Sampled {
     int x, y;
     double z;
@@ -41,7 +41,7 @@ struct PlainStyle {
     static const bool backwards = false;
     static double start() { return farthest; }
 
-    /// Every pixel of the area is asked.
+    /// Tests every pixel of the area.
     static std::vector<Sampled> pixels_of(const Polygon& polygon, const Area& area) {
         std::vector<Sampled> all;
         for (int y = area.y; y < area.y + area.height; ++y) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Z-buffer, right, in another language: it reads the scene and writes the trace by itself, with the pixels of each row alone."""
+"""The Z-buffer, right, in another language: it reads the scene and writes the trace itself, and reports only the pixels of each row."""
 import hashlib
 import json
 import os
@@ -30,7 +30,7 @@ def hexadecimal(rgb):
 
 
 def plane(vertices):
-    """a, b, c, d by Newell's sum about the first vertex."""
+    """The coefficients a, b, c, d of the plane, by Newell's sum about the first vertex."""
     o, a, b, c = vertices[0], 0, 0, 0
     for p, q in zip(vertices[1:], vertices[2:]):
         u, v = [[s - t for s, t in zip(r, o)] for r in (p, q)]
@@ -39,7 +39,7 @@ def plane(vertices):
 
 
 def ends(vertices, y):
-    """Where the outline meets a horizontal line, from the left; none if it does not."""
+    """The left and the right end of the outline on a horizontal line; None if the outline misses the line."""
     found = []
     for p, q in zip(vertices, vertices[1:] + vertices[:1]):
         if (p[1] <= y) != (q[1] <= y):

@@ -1,4 +1,4 @@
-// The Z-buffer, wrong: as if the viewer looked along z, the smaller depth wins.
+// The Z-buffer, wrong: the smaller depth wins, as if the viewer looked in the direction of z.
 #include "../course.h"
 
 int main() {

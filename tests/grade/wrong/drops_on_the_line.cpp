@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: clipping drops a vertex that lies on the line of a window's side. It tells windows and pixels alone.
+// Warnock's algorithm, wrong: clipping drops a vertex on the line of a window's side. The program reports only windows and pixels.
 #include "../course.h"
 
 struct Square {
@@ -60,7 +60,7 @@ private:
         }
     }
 
-    /// A vertex on the line is neither kept nor taken for a crossing.
+    /// Neither keeps a vertex on the line nor treats it as a crossing.
     static std::vector<Vertex> clipped(const std::vector<Vertex>& vertices, Point from, Point to) {
         std::vector<Vertex> kept;
         for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -1,4 +1,4 @@
-// The Z-buffer, wrong: the plane is that of the first three vertices, even if these lie on a line.
+// The Z-buffer, wrong: it computes the plane from the first three vertices, even if they lie on a line.
 #include "../right/z_buffer_style.h"
 
 struct FirstThree : PlainStyle {

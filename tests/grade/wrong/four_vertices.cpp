@@ -1,4 +1,4 @@
-// The Z-buffer, wrong: it reads four vertices of each polygon, and no more.
+// The Z-buffer, wrong: it uses at most four vertices of each polygon.
 #include "../right/z_buffer_style.h"
 
 struct FourVertices : PlainStyle {

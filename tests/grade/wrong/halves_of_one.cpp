@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: windows are whole pixels, width / 2 a side, whatever the width, and a width of 1 is halved to 0.
+// Warnock's algorithm, wrong: sides are whole pixels, and all parts have half the side, rounded down. A side of 1 becomes 0.
 #include "../course.h"
 
 struct Rectangle {

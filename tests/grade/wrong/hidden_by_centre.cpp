@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: of two polygons that surround a window the one that is nearer at the centre hides the other.
+// Warnock's algorithm, wrong: a surrounding polygon hides another one if it is nearer at the window's centre.
 #include "../right/warnock_style.h"
 
 struct HiddenByCentre : PlainStyle {

@@ -1,4 +1,4 @@
-// No algorithm at all: each pixel by brute force, and then windows that are read off the finished picture.
+// No algorithm: it finds each pixel by brute force and invents windows that fit the finished picture.
 #include "../course.h"
 
 class Pretence {

@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: all windows look at one and the same list, and take polygons out of it.
+// Warnock's algorithm, wrong: all windows share one list and remove polygons from it.
 #include <memory>
 
 #include "../course.h"

@@ -1,4 +1,4 @@
-// The Z-buffer, wrong: the depths start at -1, and what lies there never shows. It does not tell what they start at.
+// The Z-buffer, wrong: the depths start at -1, so polygons at that depth never show. It does not report the start depth.
 #include "../course.h"
 
 int main() {

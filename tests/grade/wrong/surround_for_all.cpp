@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: hasSurround is set once, and kept for all windows that come after.
+// Warnock's algorithm, wrong: it sets hasSurround once and keeps it for all later windows.
 #include "../right/warnock_style.h"
 
 int first_surrounding = -1;

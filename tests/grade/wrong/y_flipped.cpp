@@ -1,4 +1,4 @@
-// Warnock's algorithm, wrong: y grows upward, as in the mathematics lecture, and row 0 is the lowest.
+// Warnock's algorithm, wrong: y grows upward, as in mathematics, and row 0 is the lowest.
 #include "../course.h"
 
 class UpwardScreen {
@@ -46,7 +46,7 @@ private:
         }
     }
 
-    /// Row by row, from the bottom of the screen up.
+    /// Fills row by row, from the bottom of the screen up.
     void fill(const Square& w, Color color) {
         const Area& area = scene_.area;
         for (int y = int(w.y); y < int(w.y + w.side) && y < area.y + area.height; ++y) {
