@@ -96,7 +96,7 @@ it.each([390, 1440])(
     const { page } = await open(browser, '#lang=en&trace=nothing', {
       viewport: { width, height: 844 },
     });
-    const notice = page.locator('vidno-notice');
+    const notice = page.locator('vidno-notice p');
     await notice.waitFor();
     expect(await notice.innerText()).toContain('nothing');
     const isInFront = await notice.evaluate((each) => {
