@@ -9,14 +9,24 @@ const [program, mode] = process.argv.slice(2);
 const folder = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
 const work = mkdtempSync(join(tmpdir(), 'vidno-failures-'));
 
+/** The reasons of a fault in a trace, in Russian. */
+const faults = {
+  'the list of vertices is read past its end': 'чтение за концом списка вершин',
+  'the last entry of AEL has no partner': 'последняя запись AEL осталась без пары',
+  'outside the area': 'вне области',
+  'division by zero': 'деление на нуль',
+};
+
+const comma = (number) => String(number).replace('.', ',');
+
 const words = {
   en: {
     file: 'README.md',
     title: '# How these methods fail',
-    introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not (perhaps of
-the same surface with other samples), and what can be seen.
-\`tests/check/failures_test.cpp\` checks each entry. The step is that of a trace of level \`signs\`: the first wrong decision, or the
-step that is visibly wrong. \`table.mjs\` writes these tables.`,
+    introduction: `An entry is a file. It holds the smallest known scene, the run that fails on it, a run that does not (perhaps of the same surface
+with other samples), and the place where the failure is visible. \`tests/check/failures_test.cpp\` checks each entry. The step
+counts the events of a trace of level \`signs\`: it is the first wrong decision or the first visibly wrong step. \`table.mjs\`
+writes these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
@@ -33,20 +43,21 @@ step that is visibly wrong. \`table.mjs\` writes these tables.`,
   ru: {
     file: 'README.ru.md',
     title: '# Как ошибаются эти методы',
-    introduction: `Запись это файл: наименьшая известная нам сцена, прогон, который на ней ошибается, прогон, который не ошибается (бывает, той же
-поверхности с другими отсчётами), и что при этом видно. \`tests/check/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
-шаг, на котором ошибка видна. Таблицы пишет \`table.mjs\`.`,
+    introduction: `Запись — это файл. В нём наименьшая известная сцена, прогон, который на ней ошибается, прогон, который не ошибается (иногда
+на той же поверхности с другими отсчётами), и место, где ошибка видна. \`tests/check/failures_test.cpp\` проверяет каждую
+запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
+\`table.mjs\`.`,
     head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, точно ${exact}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
-    fault: (reason) => reason,
-    endless: () => 'сам не кончается',
-    missing: (label) => `${label} не достигнута`,
-    present: (label) => `${label} достигнута`,
+    fault: (reason) => faults[reason] ?? reason,
+    endless: () => 'сам не завершается',
+    missing: (label) => `строка ${label} не достигнута`,
+    present: (label) => `строка ${label} достигнута`,
     windows: ([more, fewer]) => `окон ${more}, а не ${fewer}`,
-    off: ([x, right]) => `пересечение при x = ${x}, а не ${right}`,
+    off: ([x, right]) => `пересечение при x = ${comma(x)}, а не ${comma(right)}`,
     column: ([curve, x, drawn]) => `кривая ${curve} над столбцом ${x} ${drawn ? 'нарисована' : 'не нарисована'}`,
-    place: ([curve, x, drawn]) => `кривая ${curve} при x = ${String(x).replace('.', ',')} ${drawn ? 'нарисована' : 'не нарисована'}`,
+    place: ([curve, x, drawn]) => `кривая ${curve} при x = ${comma(x)} ${drawn ? 'нарисована' : 'не нарисована'}`,
     test: 'отдельный тест',
   },
 };

@@ -121,7 +121,7 @@ TEST_CASE("Atlas: render paints the pixel of each entry otherwise than the remed
 TEST_CASE("Atlas: commands that do not run an entry take its scene") {
     const Workplace work;
     const std::string entry = atlas + "clip-pixel.json";
-    const std::string title = entry + ": An intersection that rounds shows as a wrong pixel\n";
+    const std::string title = entry + ": A rounded intersection causes a wrong pixel\n";
     for (const std::string& call : {
              "check " + entry,
              "need " + entry,
