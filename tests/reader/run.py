@@ -12,7 +12,6 @@ import sys
 import picture
 
 COURSE = ["warnock", "zbuffer"]
-REGIONS = ["weiler-atherton"]
 CURVES = ["floating-horizon"]
 LEVELS = ["windows", "polygons", "signs"]
 EVERY_KERNEL = ["float", "double", "bits:9", "filtered", "exact"]
@@ -22,16 +21,17 @@ def runs(choices):
     """Yields scenes of the lessons, each with the options of a run. The choices are those of `vidno methods --json`."""
     methods = choices["methods"]
     family = [method for method in methods if method.startswith("warnock-")]
+    others = [method for method in methods if method not in COURSE + family + CURVES]
     of_any_scene = [method for method in family if not methods[method]["domain"].startswith("closed")]
     bodies = "11-warnock-family/bodies.json"  # every method accepts it
-    for method in COURSE + family + REGIONS:
-        kernels = EVERY_KERNEL + ([] if method in REGIONS else ["grid:4"])
+    for method in COURSE + family + others:
+        kernels = EVERY_KERNEL + (["grid:4"] if "grid" in methods[method]["editions"]["corrected"] else [])
         for place, kernel in enumerate(kernels):
             yield bodies, ["--method", method, "--kernel", kernel, "--detail", LEVELS[place % 3]]
         for level in LEVELS:
             yield bodies, ["--method", method, "--detail", level, "--check"]
     for scene in ("09-usual-mistakes/mistakes.json", "01-four-relations/cycle.json"):
-        for method in COURSE + of_any_scene + REGIONS:
+        for method in COURSE + of_any_scene + others:
             yield scene, ["--method", method, "--kernel", "float", "--detail", "windows"]
         for method in COURSE:
             for kernel in ("float", "double", "bits:9", "exact"):
