@@ -2,6 +2,7 @@ import { between, bool, list, oneOf, part, text } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
 import { isFamily, methodNames } from '../trace/editions.js';
 import type { MethodName } from '../trace/editions.js';
+import type { Variant } from '../trace/events.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
 /** The variants of Warnock's algorithm that the course's methods are compared with. */
@@ -13,7 +14,6 @@ export const sceneCosts = ['time', 'operations', 'bits'] as const;
 export const sceneErrors = ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'] as const;
 
 export type Method = Exclude<MethodName, 'floating-horizon'>;
-export type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'weiler-atherton'>;
 
 /** JSON has no infinity, so an infinite error of depth is written as a word. */
 const ulps: Check<number> = (value, path) => (value === 'inf' ? Infinity : size(value, path));

@@ -1,6 +1,7 @@
+import type { Variant } from '../trace/events.js';
 import type { Knob } from './format.js';
 import { methods, sceneKnobs, variants } from './scene-format.js';
-import type { Method, SceneRun, Variant } from './scene-format.js';
+import type { Method, SceneRun } from './scene-format.js';
 import { curveKernels, curveKnobs } from './surface-format.js';
 import type { CurveKernel, CurveRun } from './surface-format.js';
 

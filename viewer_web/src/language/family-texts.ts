@@ -8,10 +8,9 @@ import {
   methodTitle,
 } from '../trace/editions.js';
 import type { Edition, NamedEdition } from '../trace/editions.js';
-import type { Method, Procedure } from '../trace/events.js';
+import type { Method, Procedure, Variant } from '../trace/events.js';
 import type { Language } from './language.js';
 
-type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon' | 'weiler-atherton'>;
 type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
 
 type Names = Readonly<Record<Variant, string>>;

@@ -44,9 +44,11 @@ export type Deciding = {
 
 export type Method = keyof typeof eventsOf;
 export const methods = Object.keys(eventsOf) as readonly Method[];
+/** The variants of Warnock's algorithm. */
+export type Variant = Extract<Method, `warnock-${string}`>;
 
 type EventOf<M extends Method> = (typeof eventsOf)[M][number];
-type Windows = Exclude<Method, 'zbuffer' | 'weiler-atherton' | 'floating-horizon'>;
+type Windows = 'warnock' | Variant;
 type Common = EventOf<'zbuffer'> & EventOf<'weiler-atherton'>;
 export type CommonEvents = Pick<Events, Common>;
 export type WarnockEvents = Pick<Events, Exclude<EventOf<Windows>, Common>>;
