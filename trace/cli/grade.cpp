@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "grade/report.h"
@@ -82,7 +83,7 @@ std::vector<Scene> scenes_of(const GradeOptions& options, const Words& say) {
 
 Grading grading_of(const GradeOptions& options) {
     Grading grading;
-    grading.say = Words(options.language == figures::language_codes[1] ? Language::russian : Language::english);
+    grading.say = Words(Language(place_in(figures::language_codes, options.language)));
     grading.limits.time = std::chrono::seconds(options.seconds);
     grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
     grading.first_only = options.first;

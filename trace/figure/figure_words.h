@@ -5,13 +5,22 @@
 #include <string_view>
 #include <utility>
 
+#include "choice/bilingual.h"
+
 namespace vidno::figures {
 
 enum class Language : unsigned char { english, russian };
 inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
 
+constexpr std::string_view code_of(Language language) { return language_codes[std::size_t(language)]; }
+
+/// The text in the language.
+constexpr std::string_view in(Language language, const Bilingual& text) {
+    const auto& [english, russian] = text;
+    return std::array{english, russian}[std::size_t(language)];
+}
+
 struct FigureWords {
-    std::string_view code;
     std::string_view warnock, z_buffer, floating_horizon, weiler_atherton;
     std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
@@ -21,9 +30,8 @@ struct FigureWords {
     std::string_view computed, right, wrong;
 };
 
-inline constexpr std::array<FigureWords, 2> figure_words{{
+inline constexpr auto figure_words = std::to_array<FigureWords>({
     {
-        .code = "en",
         .warnock = "Warnock",
         .z_buffer = "Z-buffer",
         .floating_horizon = "Floating horizon",
@@ -57,7 +65,6 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .wrong = "wrong",
     },
     {
-        .code = "ru",
         .warnock = "Алгоритм Варнока",
         .z_buffer = "Z-буфер",
         .floating_horizon = "Плавающий горизонт",
@@ -90,7 +97,8 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .right = "верно",
         .wrong = "неверно",
     },
-}};
+});
+static_assert(figure_words.size() == language_codes.size());
 
 constexpr const FigureWords& words_of(Language language) { return figure_words[std::size_t(language)]; }
 

@@ -67,11 +67,10 @@ std::string text_in(const json& line, Edition edition, Language language) {
         const DeviationChoice& mistake = choice_of(*single_deviation(edition));
         for (std::size_t i = 0; i < mistake.lines.size(); ++i) {
             if (line.at("at") != line_names[std::size_t(mistake.lines[i])]) continue;
-            const auto& [english, russian] = mistake.reads[i];
-            return std::string(std::array{english, russian}[std::size_t(language)]);
+            return std::string(in(language, mistake.reads[i]));
         }
     }
-    return (is_as_printed(line, edition) ? line.at("printed") : line).at(words_of(language).code);
+    return (is_as_printed(line, edition) ? line.at("printed") : line).at(code_of(language));
 }
 
 }  // namespace

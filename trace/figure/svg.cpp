@@ -75,7 +75,7 @@ std::string svg_of(const Drawing& drawing, const About& about) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
                        attribute("width", width + "mm") + attribute("height", height + "mm") +
                        attribute("viewBox", "0 0 " + width + " " + height) +
-                       attribute("xml:lang", words_of(about.language).code) + attribute("font-family", font) +
+                       attribute("xml:lang", code_of(about.language)) + attribute("font-family", font) +
                        attribute("stroke-linejoin", "round") + ">\n<title>" + escaped(about.title) + "</title>\n";
     text += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     for (const auto& thing : drawing.things) {

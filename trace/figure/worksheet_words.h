@@ -20,7 +20,7 @@ struct WorksheetWords {
     std::array<std::string_view, case_names.size()> cases;
 };
 
-inline constexpr std::array<WorksheetWords, 2> worksheet_words{{
+inline constexpr auto worksheet_words = std::to_array<WorksheetWords>({
     {
         .name = "Name",
         .date = "Date",
@@ -82,7 +82,8 @@ inline constexpr std::array<WorksheetWords, 2> worksheet_words{{
         .rows_here = "Прогон продолжается; строк в таблице:",
         .cases = {"пустое", "охвачено", "пиксель", "один", "делится"},
     },
-}};
+});
+static_assert(worksheet_words.size() == language_codes.size());
 
 constexpr const WorksheetWords& worksheet_words_of(Language language) { return worksheet_words[std::size_t(language)]; }
 

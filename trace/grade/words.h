@@ -21,7 +21,7 @@ public:
     explicit Words(Language language = Language::english) : language_(language) {}
 
     bool is_russian() const { return language_ == Language::russian; }
-    std::string_view of(const Bilingual& text) const { return is_russian() ? text.russian : text.english; }
+    std::string_view of(const Bilingual& text) const { return figures::in(language_, text); }
 
     std::string operator()(const Bilingual& text, const auto&... arguments) const {
         return filled(of(text), {said(arguments)...});

@@ -307,7 +307,7 @@ std::string drawn_chart(const FigureOptions& options, const std::string& text) {
     constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
     const PlotLayout layout{1, int(width / unit), "Helvetica"};
     const auto draw = [&](const auto& charts) {
-        const std::string script = script_of(charts, options.axes, layout, style.language == Language::russian);
+        const std::string script = script_of(charts, options.axes, layout, style.language);
         const std::string svg = sized(output_of({"gnuplot"}, script), width);
         return encoded(svg, {charts.front().name, style.language}, options.output, options.dots_an_inch);
     };
