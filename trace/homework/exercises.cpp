@@ -170,7 +170,7 @@ public:
 
     const Scene& scene() const { return scene_; }
 
-    /// The picture of a scene, if it is as hard as the original.
+    /// Runs the scene. Returns its picture if the run is as hard as that of the original, otherwise nothing.
     std::optional<Picture> picture_if_as_hard(const Scene& scene) const {
         auto [profile, picture] = profiled_run(scene, method_);
         if (!is_as_hard(profile, profile_)) return std::nullopt;

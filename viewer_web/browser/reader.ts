@@ -18,15 +18,18 @@ process.once('exit', () => {
   rmSync(folder, { recursive: true });
 });
 
-/** The pages that were written, by their lessons. */
+/** The files of the pages written so far, by lesson. */
 const written = new Map<string, string>();
 
 /** A page in a file, as `vidno page` makes it, with three lessons, the last without a text. */
 function pageOf(lesson: object): string {
   const key = JSON.stringify(lesson);
-  const file = written.get(key) ?? join(folder, `page-${written.size}.html`);
-  if (!written.has(key)) writeFileSync(file, contentOf(lesson));
-  written.set(key, file);
+  let file = written.get(key);
+  if (file === undefined) {
+    file = join(folder, `page-${written.size}.html`);
+    writeFileSync(file, contentOf(lesson));
+    written.set(key, file);
+  }
   return file;
 }
 
