@@ -1,0 +1,32 @@
+/// Paints: whether an event paints a pixel.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+
+#include "format/event.h"
+
+namespace vidno {
+
+/// Whether the event paints this pixel. An event that has runs of pixels paints these. Clear, which paints them all, is not counted.
+template <class E>
+bool paints(const E& event, int x, int y) {
+    if constexpr (std::same_as<E, event::Fill>) {
+        const auto& [left, top, width, height] = event.rect;
+        return Area{left, top, width, height}.contains(x, y);
+    } else if constexpr (requires { event.runs; }) {
+        return std::any_of(event.runs.begin(), event.runs.end(), [&](const auto& run) {
+            int row = 0;
+            if constexpr (requires { run.row; }) {
+                row = run.row;
+            } else {
+                row = event.row;  // that of a span
+            }
+            return row == y && run.first <= x && x < run.end;
+        });
+    } else {
+        return false;
+    }
+}
+
+}  // namespace vidno
