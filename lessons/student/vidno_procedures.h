@@ -1,5 +1,5 @@
 /// Runs vidno's methods with some of their procedures replaced by your own, written in plain doubles. README.md beside this file
-/// explains how. Needs C++20, vidno's headers and GLM.
+/// explains how. Needs C++20, vidno's headers, GLM and CGAL.
 ///
 ///     struct Mine {
 ///         static bool surround_test(Point point, const std::vector<Vertex>& polygon);
@@ -17,6 +17,7 @@
 
 #include "format/event_json.h"
 #include "run/recorder.h"
+#include "vidno/admission.h"
 #include "vidno/vidno.h"
 #include "vidno_student.h"
 
@@ -129,17 +130,6 @@ private:
     EventText events_;
 };
 
-/// Whether it has no area as seen by the viewer, to the precision of doubles.
-inline bool is_edge_on(const Polygon& polygon) {
-    double area = 0;
-    const Vertex& o = polygon.vertices.front();
-    for (std::size_t i = 2; i < polygon.vertices.size(); ++i) {
-        const Vertex &p = polygon.vertices[i - 1], &q = polygon.vertices[i];
-        area += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
-    }
-    return area == 0;
-}
-
 /// The scene in vidno's own form.
 inline vidno::Scene for_vidno(const Scene& scene) {
     const auto color = [](const Color& c) {
@@ -148,7 +138,7 @@ inline vidno::Scene for_vidno(const Scene& scene) {
     vidno::Scene made{
         scene.name, {scene.area.x, scene.area.y, scene.area.width, scene.area.height}, color(scene.background), {}};
     for (const Polygon& polygon : scene.polygons) {
-        made.polygons.push_back({polygon.id, color(polygon.color), {}, is_edge_on(polygon)});
+        made.polygons.push_back({polygon.id, color(polygon.color), {}, false});
         for (const Vertex& v : polygon.vertices) made.polygons.back().vertices.push_back({v.x, v.y, v.z});
     }
     return made;
@@ -157,7 +147,7 @@ inline vidno::Scene for_vidno(const Scene& scene) {
 /// Draws the scene by a method with the procedures of `Mine`, and writes the trace.
 template <class Mine>
 void run_with(Method method, const Scene& scene, const std::string& file) {
-    const vidno::Scene drawn = for_vidno(scene);
+    const AdmittedScene drawn = admit(for_vidno(scene));
     ProcedureTrace trace(file, std::string(method_names[std::size_t(method)]), scene, drawn);
     Recording recording{vidno::Detail::signs, trace};
     trace.finish(render<SetOf<Mine>>(method, drawn, Double{}, Recorder<Double>(recording)));

@@ -1,4 +1,4 @@
-/// Admission: does a polygon satisfy what every procedure assumes? Decided exactly for the given doubles.
+/// Admission: does a scene satisfy what every procedure assumes? Decided exactly for the given doubles.
 ///
 /// An admitted polygon is finite, has at least three vertices, and is planar. Seen from the viewer it is convex and
 /// winds around once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
@@ -26,6 +26,8 @@
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -225,7 +227,7 @@ inline bool dropped_are_near(const Vertices& vertices, const std::vector<std::si
 }
 
 /// Checks that the outline is convex, dropping vertices that are reflex by rounding. Reports how many it dropped.
-inline Admitted make_convex(Vertices& vertices) {
+inline PolygonAdmission make_convex(Vertices& vertices) {
     const std::vector<std::size_t> outline = without_repeats(vertices);
     if (is_convex(vertices, outline)) return {};
     const int sign = CGAL::sign(normal_of<Exact>(vertices).z);
@@ -241,26 +243,38 @@ inline Admitted make_convex(Vertices& vertices) {
 }  // namespace admission
 
 /// Checks all but the range of depth; sets edge_on and drops vertices that are reflex by rounding.
-inline Admitted admit_shape(ScenePolygon& polygon) {
+inline PolygonAdmission admit_shape(ScenePolygon& polygon) {
     auto& vertices = polygon.vertices;
     if (vertices.size() < 3) return {Admission::too_few_vertices};
     if (!admission::all_finite(vertices)) return {Admission::not_finite};
     polygon.edge_on = admission::is_edge_on(vertices);
     if (polygon.edge_on || vertices.size() == 3) return {};
-    const Admitted convex = admission::make_convex(vertices);
+    const PolygonAdmission convex = admission::make_convex(vertices);
     if (convex.admission != Admission::admitted) return convex;
     if (!admission::is_planar(vertices)) return {Admission::not_planar};
     return convex;
 }
 
-/// Checks a polygon in screen space. A Scene holds only admitted polygons.
-inline Admitted admit(ScenePolygon& polygon) {
+/// Checks a polygon in screen space, as admit_shape does.
+inline PolygonAdmission admit_polygon(ScenePolygon& polygon) {
     const auto in_range = [](const glm::dvec3& vertex) { return -1 <= vertex.z && vertex.z <= 1; };
     const auto& vertices = polygon.vertices;
     if (admission::all_finite(vertices) && !std::all_of(vertices.begin(), vertices.end(), in_range)) {
         return {Admission::out_of_depth_range};
     }
     return admit_shape(polygon);
+}
+
+/// For `admit`: checks the area, the number of polygons, and each polygon.
+inline void make_admissible(Scene& scene) {
+    expect_admissible(scene.area);
+    if (scene.polygons.size() > most_polygons) throw std::invalid_argument("the scene has more than 2^20 polygons");
+    for (ScenePolygon& polygon : scene.polygons) {
+        const Admission admission = admit_polygon(polygon).admission;
+        if (admission != Admission::admitted) {
+            throw std::invalid_argument("polygon \"" + polygon.id + "\": " + std::string(reason_of(admission)));
+        }
+    }
 }
 
 /// A fan of triangles about the first vertex, without those that the viewer sees edge-on. For outlines that are convex

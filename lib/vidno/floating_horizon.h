@@ -1,6 +1,6 @@
 /// The floating horizon: which parts of curves are visible, by the procedures of a set in the arithmetic of a kernel.
 ///
-///     const auto visible = vidno::visible_lines(curves, vidno::Double{});
+///     const auto visible = vidno::visible_lines(vidno::admit(curves), vidno::Double{});
 ///     for (const auto& line : visible.lines) ...
 #pragma once
 
@@ -18,7 +18,7 @@ struct VisibleCurves {
 
 /// Runs floating_horizon/floating_horizon.h and reports each step to the trace. The numbers are the kernel's.
 template <class Set = CorrectedFloatingHorizon, Kernel K, class Trace = NoTrace>
-VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}, Set set = {}) {
+VisibleCurves<OnColumns<K>> visible_lines(const AdmittedCurves& curves, K kernel, Trace trace = {}, Set set = {}) {
     FloatingHorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace),
                                                      std::move(set));
     run.set.floating_horizon(run);

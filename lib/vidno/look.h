@@ -48,14 +48,14 @@ inline int axis_that_shows(const std::vector<glm::dvec3>& vertices) {
 }
 
 /// Checks a finite polygon of the world. edge_on means here that it has no area from anywhere.
-inline Admitted admit_in_world(ScenePolygon& polygon) {
+inline PolygonAdmission admit_in_world(ScenePolygon& polygon) {
     if (polygon.vertices.size() < 3) return {Admission::too_few_vertices};
     if (!admission::all_finite(polygon.vertices)) return {Admission::not_finite};
     const int axis = axis_that_shows(polygon.vertices);
     polygon.edge_on = axis < 0;
     if (polygon.edge_on || polygon.vertices.size() == 3) return {};
     ScenePolygon along{polygon.id, polygon.color, seen_along(axis, polygon.vertices)};
-    const Admitted admitted = admit_shape(along);
+    const PolygonAdmission admitted = admit_shape(along);
     const int back = (4 - axis) % 3;  // shifts by axis + 1 and by back + 1 places add up to whole rounds
     polygon.vertices = seen_along(back, std::move(along.vertices));
     return admitted;
@@ -65,7 +65,7 @@ inline Admitted admit_in_world(ScenePolygon& polygon) {
 inline Seen look(const View& view, const ScenePolygon& world) {
     ScenePolygon polygon{world.id, world.color, seen_by(view, world.vertices)};
     if (polygon.vertices.empty()) return {};
-    const Admitted admitted = admit(polygon);
+    const PolygonAdmission admitted = admit_polygon(polygon);
     if (admitted.admission == Admission::admitted) return {{std::move(polygon)}, admitted.dropped};
     return {cut_into_triangles(polygon)};
 }

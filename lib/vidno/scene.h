@@ -44,7 +44,7 @@ PixelRow<T> row_of(std::vector<T>& pixels, const Area& area, int y) {
     return {pixels.data() + std::size_t(y - area.y) * std::size_t(area.width), area.x};
 }
 
-/// The limits of every scene; `admit` (admission.h) checks the polygons.
+/// The limits that `admit` (admitted.h) checks.
 inline constexpr int largest_side = 16384;
 inline constexpr int farthest_offset = 1 << 30;
 inline constexpr std::size_t most_polygons = std::size_t{1} << 20;

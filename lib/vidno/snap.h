@@ -36,12 +36,13 @@ inline std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution
 }
 
 /// Each polygon of the scene, or its triangles.
-inline Scene snapped(Scene scene, Resolution to) {
+inline AdmittedScene snapped(const AdmittedScene& scene, Resolution to) {
     Snapping snapping;
-    for (const auto& polygon : std::exchange(scene.polygons, {})) {
-        for (auto& part : snapped(polygon, to, snapping)) scene.polygons.push_back(std::move(part));
+    Scene result{scene->name, scene->area, scene->background, {}};
+    for (const auto& polygon : scene->polygons) {
+        for (auto& part : snapped(polygon, to, snapping)) result.polygons.push_back(std::move(part));
     }
-    return scene;
+    return admit(std::move(result));
 }
 
 }  // namespace vidno

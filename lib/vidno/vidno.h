@@ -1,8 +1,7 @@
 /// vidno: hidden surfaces by the textbook, one small step at a time.
 ///
+///     const vidno::AdmittedScene scene = vidno::admit(my_scene);  // vidno/admission.h
 ///     vidno::Picture picture = vidno::render(vidno::Method::warnock, scene, vidno::Double{});
-///
-/// The scene's polygons must have been admitted (admission.h).
 #pragma once
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "admitted.h"
 #include "corrected.h"
 #include "fault.h"
 #include "kernels/machine.h"
@@ -20,17 +20,18 @@ namespace vidno {
 /// printed text has faults) ends the run, and the trace hears it; the picture is then what was painted so far. Warnock's algorithm
 /// does not split a window whose side is `smallest_window`, in pixels.
 ///
-/// Throws std::invalid_argument if the method is not one of the set's `methods`.
+/// Throws std::invalid_argument if the method is not one of the set's `methods`, or the smallest window is smaller than a pixel.
 template <class Set = Corrected, Kernel K, class Trace = NoTrace>
-Picture render(Method method, const Scene& scene, K kernel, Trace trace = {}, double smallest_window = 1,
+Picture render(Method method, const AdmittedScene& scene, K kernel, Trace trace = {}, double smallest_window = 1,
                Set set = {}) {
     constexpr auto& methods = Set::methods;
     if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
         throw std::invalid_argument("the procedure set " + std::string(Set::name) + " does not run the method " +
                                     std::string(method_names[std::size_t(method)]));
     }
+    if (!(smallest_window >= 1)) throw std::invalid_argument("the smallest window is smaller than a pixel");
     constexpr bool has_z_buffer = std::find(methods.begin(), methods.end(), Method::zbuffer) != methods.end();
-    Picture picture(scene.area, scene.background);
+    Picture picture(scene->area, scene->background);
     try {
         Run<Set, K, Trace> run(scene, std::move(kernel), trace, picture, std::move(set));
         run.smallest_window = smallest_window;

@@ -1,10 +1,11 @@
 /// Weiler and Atherton's algorithm: which parts of the polygons are visible, by the procedures of a set in the arithmetic of a
 /// kernel.
 ///
-///     const auto visible = vidno::visible_regions(scene, vidno::Double{});
+///     const auto visible = vidno::visible_regions(vidno::admit(scene), vidno::Double{});
 ///     for (const auto& region : visible.regions) ...
 #pragma once
 
+#include "admitted.h"
 #include "corrected_weiler_atherton.h"
 #include "kernels/machine.h"
 
@@ -54,11 +55,10 @@ struct VisibleRegions {
     Picture picture;
 };
 
-/// Runs weiler_atherton/weiler_atherton.h and reports each step to the trace. The numbers are the kernel's. The scene's polygons
-/// must have been admitted (admission.h).
+/// Runs weiler_atherton/weiler_atherton.h and reports each step to the trace. The numbers are the kernel's.
 template <class Set = CorrectedWeilerAtherton, Kernel K, class Trace = NoTrace>
-VisibleRegions<typename OnRegions<K>::Number> visible_regions(const Scene& scene, K kernel, Trace trace = {}) {
-    VisibleRegions<typename OnRegions<K>::Number> result{{}, Picture(scene.area, scene.background)};
+VisibleRegions<typename OnRegions<K>::Number> visible_regions(const AdmittedScene& scene, K kernel, Trace trace = {}) {
+    VisibleRegions<typename OnRegions<K>::Number> result{{}, Picture(scene->area, scene->background)};
     WeilerAthertonRun<Set, OnRegions<K>, Trace> run(scene, OnRegions<K>(std::move(kernel)), std::move(trace),
                                                     result.picture);
     try {

@@ -20,7 +20,7 @@ constexpr auto zbuffer = Method::zbuffer;
 /// Draws N random triangles at 512 x 512, four deep, with the visitor that ignores all events.
 template <Method method>
 void draw(benchmark::State& state) {
-    const Scene scene = random_triangles(int(state.range(0)), 512, 4);
+    const AdmittedScene scene = random_triangles(int(state.range(0)), 512, 4);
     for (auto _ : state) benchmark::DoNotOptimize(render(method, scene, Double{}));
 }
 BENCHMARK(draw<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
@@ -29,7 +29,7 @@ BENCHMARK(draw<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMill
 /// The same under `filtered`, which is always right.
 template <Method method>
 void draw_filtered(benchmark::State& state) {
-    const Scene scene = random_triangles(int(state.range(0)), 512, 4);
+    const AdmittedScene scene = random_triangles(int(state.range(0)), 512, 4);
     const auto draw_in = [&](auto kernel) { benchmark::DoNotOptimize(render(method, scene, kernel)); };
     for (auto _ : state) draw_in(Filtered{});
     state.counters["times double"] = times([&] { draw_in(Double{}); }, [&] { draw_in(Filtered{}); });
@@ -40,8 +40,8 @@ BENCHMARK(draw_filtered<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchma
 /// The same under `grid`, which is right for the snapped scene.
 template <Method method>
 void draw_grid(benchmark::State& state) {
-    const Scene scene = random_triangles(int(state.range(0)), 512, 4);
-    const Scene snapped = snapped_scene(scene, 8).scene;
+    const AdmittedScene scene = random_triangles(int(state.range(0)), 512, 4);
+    const AdmittedScene snapped = snapped_scene(scene, 8).scene;
     const auto draw_snapped = [&] { benchmark::DoNotOptimize(render(method, snapped, Grid(8))); };
     for (auto _ : state) draw_snapped();
     state.counters["times double"] =
@@ -54,10 +54,8 @@ BENCHMARK(draw_grid<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::
 void orient(benchmark::State& state) {
     std::mt19937 random(1);
     std::uniform_real_distribution<> coordinate(0, 512);
-    Scene scene;
-    scene.area = {0, 0, 512, 512};
     Filtered filtered;
-    filtered.see(scene);
+    filtered.see(Scene{.name = {}, .area = {0, 0, 512, 512}, .background = {}, .polygons = {}});
     std::vector<glm::dvec3> corners(30000);
     for (auto& corner : corners) corner = {coordinate(random), coordinate(random), 0};
 

@@ -1,18 +1,19 @@
 /// Random triangles, the same ones on every machine.
 #pragma once
 
-#include <vidno/scene.h>
+#include <vidno/admission.h>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace vidno {
 
 /// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at its own depth. Together they have
 /// `overdraw` times the square's area.
-inline Scene random_triangles(int count, int side, double overdraw) {
+inline AdmittedScene random_triangles(int count, int side, double overdraw) {
     std::uint64_t state = 1;
     const auto random = [&] {  // 0 <= r < 1; Knuth's MMIX generator, whose high bits are good
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -34,11 +35,11 @@ inline Scene random_triangles(int count, int side, double overdraw) {
         }
         scene.polygons.push_back(polygon);
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
 /// `count` triangles in 64 x 64 pixels, each with random corners in a box of 10 x 10 and at random depths: many pierce each other.
-inline Scene small_triangles(int count) {
+inline AdmittedScene small_triangles(int count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<> place(0, 54), within(0, 10), depth(-1, 1);
     Scene scene{.name = "small triangles", .area = {0, 0, 64, 64}, .background = {}, .polygons = {}};
@@ -51,7 +52,7 @@ inline Scene small_triangles(int count) {
         }
         scene.polygons.push_back(polygon);
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
 }  // namespace vidno

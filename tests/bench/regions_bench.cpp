@@ -13,7 +13,7 @@ using namespace vidno;
 /// The visible regions of triangles, many of which pierce each other.
 template <class K>
 void regions(benchmark::State& state) {
-    const Scene scene = small_triangles(int(state.range(0)));
+    const AdmittedScene scene = small_triangles(int(state.range(0)));
     for (auto _ : state) benchmark::DoNotOptimize(visible_regions(scene, K{}));
 }
 BENCHMARK(regions<Double>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);

@@ -18,12 +18,12 @@ using namespace vidno;
 constexpr auto warnock = Method::warnock;
 constexpr auto zbuffer = Method::zbuffer;
 
-void run(Method method, const Scene& scene, EventSink& sink) {
+void run(Method method, const AdmittedScene& scene, EventSink& sink) {
     Recording recording{Detail::signs, sink};
     render(method, scene, Double{}, Recorder<Double>(recording));
 }
 
-Scene traced_scene() { return random_triangles(100, 64, 4); }
+AdmittedScene traced_scene() { return random_triangles(100, 64, 4); }
 
 void per_event(benchmark::State& state, double events) {
     using benchmark::Counter;
@@ -34,7 +34,7 @@ void per_event(benchmark::State& state, double events) {
 /// From the run to lines of JSON in memory, every event.
 template <Method method>
 void record(benchmark::State& state) {
-    const Scene scene = traced_scene();
+    const AdmittedScene scene = traced_scene();
     double bytes = 0;
     double events = 0;
     for (auto _ : state) {
@@ -50,7 +50,7 @@ BENCHMARK(record<warnock>)->Unit(benchmark::kMillisecond);
 BENCHMARK(record<zbuffer>)->Unit(benchmark::kMillisecond);
 
 template <Method method>
-std::vector<Event> events_of(const Scene& scene) {
+std::vector<Event> events_of(const AdmittedScene& scene) {
     std::vector<Event> events;
     HeardBy keep([&](const EventView& event) { events.push_back(event.copy()); });
     run(method, scene, keep);
@@ -60,7 +60,7 @@ std::vector<Event> events_of(const Scene& scene) {
 /// Events to text as the trace is written; compared with a tree of JSON values built and dumped for each event.
 template <Method method>
 void export_lines(benchmark::State& state) {
-    const Scene scene = traced_scene();
+    const AdmittedScene scene = traced_scene();
     const auto events = events_of<method>(scene);
     std::size_t bytes = 0;
     // In blocks, as the writer passes them on: we measure the formatting, not the memory for the whole text.

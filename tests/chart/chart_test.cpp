@@ -25,15 +25,15 @@ using nlohmann::json;
 namespace {
 
 /// Over the whole area, its outline a pixel outside.
-Scene whole_quad() { return SceneBuilder(area_16).quad(-1, -1, 17, 17, 0).build(); }
+AdmittedScene whole_quad() { return SceneBuilder(area_16).quad(-1, -1, 17, 17, 0).build(); }
 
 /// Its right side goes through the centres of column 8.
-Scene half_quad() { return SceneBuilder(area_16).quad(-1, -1, 8.5, 17, 0).build(); }
+AdmittedScene half_quad() { return SceneBuilder(area_16).quad(-1, -1, 8.5, 17, 0).build(); }
 
-Findings examined(const Scene& scene, Method method, const std::string& kernel, int smallest_window = 1) {
+Findings examined(const AdmittedScene& scene, Method method, const std::string& kernel, int smallest_window = 1) {
     RunRequest request{method, *kernel_named(kernel), Edition::corrected, scene};
     request.smallest_window = smallest_window;
-    std::vector<std::size_t> sources(scene.polygons.size());
+    std::vector<std::size_t> sources(scene->polygons.size());
     std::iota(sources.begin(), sources.end(), std::size_t{0});
     return Examiner(scene).examine(request, sources);
 }
@@ -44,7 +44,7 @@ OperationCounts counted(std::initializer_list<std::pair<Operation, std::uint64_t
     return all;
 }
 
-SceneChart charted(const Scene& scene) {
+SceneChart charted(const AdmittedScene& scene) {
     return chart_of(scene, [] {});
 }
 
@@ -106,11 +106,11 @@ TEST_CASE("Operations: the Warnock family finds a window surrounded by its own t
 }
 
 TEST_CASE("Wrong pixels of a method with its own rule are those that differ from this rule") {
-    const Scene edge_on = SceneBuilder(area_16).polygon({{2.5, 2.5, 0}, {2.5, 9.5, 0}, {2.5, 6, 1}}).build();
+    const AdmittedScene edge_on = SceneBuilder(area_16).polygon({{2.5, 2.5, 0}, {2.5, 9.5, 0}, {2.5, 6, 1}}).build();
     CHECK(examined(edge_on, Method::warnock_edges, "double").wrong_pixels == 0);
     CHECK(examined(edge_on, Method::warnock_full, "double").wrong_pixels == 0);
     CHECK(right_picture(edge_on, Method::warnock_edges).at(2, 5) == color_of(0));
-    CHECK(right_picture(edge_on).at(2, 5) == edge_on.background);
+    CHECK(right_picture(edge_on).at(2, 5) == edge_on->background);
 }
 
 TEST_CASE("Operations: a window that a quad surrounds") {
@@ -145,17 +145,17 @@ TEST_CASE("Area: half of a half-covered pixel is wrong") {
 TEST_CASE("Area: what of each pixel shows the colour that it has not, where an outline is slanted") {
     // The slanted edge goes from (0, 1) to (3, 0) and covers 5/6, 3/6 and 1/6 of the three pixels. The centre of the second lies on it,
     // so the first two are painted and the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
-    const Scene scene = SceneBuilder({0, 0, 3, 1}).polygon({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 3, 1}).polygon({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}).build();
     CHECK(Examiner(scene).area_of_pixels() == doctest::Approx(5 / 6.).epsilon(1e-15));
     // All white: 5/6 + 3/6 + 1/6.
-    CHECK(VisibleAreas(scene).wrong_in(Picture(scene.area, scene.background)) == doctest::Approx(1.5).epsilon(1e-15));
+    CHECK(VisibleAreas(scene).wrong_in(Picture(scene->area, scene->background)) == doctest::Approx(1.5).epsilon(1e-15));
 }
 
 TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and a hole is its own") {
     // A quad of 2 x 2, a nearer one of 1/2 x 1/2 in the middle of a pixel in front of it, and one of 1 x 1 behind.
-    const Scene scene =
+    const AdmittedScene scene =
         SceneBuilder({0, 0, 2, 2}).quad(0, 0, 2, 2, 0).quad(.25, .25, .75, .75, .5).quad(1, 1, 2, 2, -.5).build();
-    Picture picture(scene.area, color_of(0));
+    Picture picture(scene->area, color_of(0));
     CHECK(VisibleAreas(scene).wrong_in(picture) == .25);
     picture.paint(0, 0, color_of(1));
     CHECK(VisibleAreas(scene).wrong_in(picture) == .75);
@@ -163,7 +163,7 @@ TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and
     CHECK(VisibleAreas(scene).wrong_in(picture) == 1.75);
     Scene one_color = scene;
     for (auto& polygon : one_color.polygons) polygon.color = color_of(0);
-    CHECK(VisibleAreas(one_color).wrong_in(Picture(scene.area, color_of(0))) == 0);
+    CHECK(VisibleAreas(admit(one_color)).wrong_in(Picture(scene->area, color_of(0))) == 0);
 }
 
 TEST_CASE("Operations: Weiler and Atherton's algorithm on one quad") {
@@ -194,7 +194,7 @@ TEST_CASE("Depth error: a wall that is snapped to another place is as far off as
     // z = x / 64 - 1/256 at x = 0.25: on a grid of 1/2 pixel, 0.25 and 31.75 go up to 0.5 and 32, z stays. So the snapped plane is
     // lower by 0.25 / 64 everywhere, which is exact in doubles.
     const auto z = [](double x) { return x / 64 - 1 / 256.; };
-    const Scene scene =
+    const AdmittedScene scene =
         SceneBuilder({0, 0, 32, 32}).polygon({{0.25, -1, z(0.25)}, {31.75, -1, z(31.75)}, {0.25, 33, z(0.25)}}).build();
     const SnappedScene snapped = snapped_scene(scene, 1);
     const Findings found = Examiner(scene).examine(
@@ -205,7 +205,7 @@ TEST_CASE("Depth error: a wall that is snapped to another place is as far off as
 TEST_CASE("Unsteady pixels are those that an ulp can change") {
     CHECK(Examiner(whole_quad()).unsteady_pixels() == 0);
     CHECK_MESSAGE(Examiner(half_quad()).unsteady_pixels() == 16, "the column of centres on the outline");
-    const Scene tie = SceneBuilder(area_16).quad(-1, -1, 4.2, 17, 0).quad(-1, -1, 4.2, 17, 0).build();
+    const AdmittedScene tie = SceneBuilder(area_16).quad(-1, -1, 4.2, 17, 0).quad(-1, -1, 4.2, 17, 0).build();
     CHECK_MESSAGE(Examiner(tie).unsteady_pixels() == 4 * 16, "two polygons at one depth");
 }
 
@@ -234,10 +234,10 @@ TEST_CASE("Cost in bits: operations times the bits of their numbers") {
 }
 
 TEST_CASE("The front: each of its runs is cheaper or less wrong than every other, and every other run is dominated") {
-    const Scene scene = SceneBuilder(area_16)
-                            .polygon({{1.3, 2.1, -.5}, {14.9, 4.7, .5}, {6.2, 15.1, .2}})
-                            .polygon({{13.7, 1.2, -.3}, {2.9, 12.4, .6}, {15.3, 14.8, .1}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .polygon({{1.3, 2.1, -.5}, {14.9, 4.7, .5}, {6.2, 15.1, .2}})
+                                    .polygon({{13.7, 1.2, -.3}, {2.9, 12.4, .6}, {15.3, 14.8, .1}})
+                                    .build();
     const SceneChart chart = charted(scene);
     for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
         for (std::size_t error = 0; error < error_axes.size(); ++error) {
@@ -268,7 +268,7 @@ TEST_CASE("The front: each of its runs is cheaper or less wrong than every other
 
 TEST_CASE("A run that ended by a fault is on no front") {
     // The printed ShowLine divides by zero at the tip of a triangle; exact rationals have no infinity to continue with.
-    const Scene scene = SceneBuilder(area_16).polygon({{2, 2, 0}, {14, 8, 0}, {4, 12, 0}}).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon({{2, 2, 0}, {14, 8, 0}, {4, 12, 0}}).build();
     int ended = 0;
     for (const auto& run : charted(scene).runs) {
         if (run.found.complete) continue;
@@ -281,13 +281,14 @@ TEST_CASE("A run that ended by a fault is on no front") {
 }
 
 TEST_CASE("JSON and CSV agree for any name of the scene") {
-    Scene scene = whole_quad();
-    scene.name = "a \"quad\", </script>\nand more";
+    Scene named = whole_quad();
+    named.name = "a \"quad\", </script>\nand more";
+    const AdmittedScene scene = admit(std::move(named));
     const std::vector<SceneChart> charts{charted(scene)};
     const json chart = json::parse(chart_json(charts));
     CHECK(chart["format"] == "vidno-chart/1");
     const json& told = chart["scenes"][0];
-    CHECK(told["name"] == scene.name);
+    CHECK(told["name"] == scene->name);
     CHECK(told["kind"] == "ordinary");
     CHECK(told["pixels"] == 256);
     CHECK(told["scene"] == json::parse(scene_json(scene)));
@@ -313,7 +314,7 @@ TEST_CASE("JSON and CSV agree for any name of the scene") {
 TEST_CASE("Input for gnuplot: names stay inside their quotes") {
     Scene scene = whole_quad();
     scene.name = "it's `touch x`\nset output 'y'";
-    const std::string script = chart_script({charted(scene)}, 0, 0);
+    const std::string script = chart_script({charted(admit(scene))}, 0, 0);
     CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
 }
 
@@ -326,7 +327,7 @@ TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has 
                                    Example{"far-away", false}, Example{"mesh", true}, Example{"one-plane", true}}) {
         CAPTURE(example.name);
         const std::string file = VIDNO_ROOT "/lessons/charts/" + example.name + ".json";
-        const Scene scene = read_scene(read_file(file), file).scene;
+        const AdmittedScene scene = read_scene(read_file(file), file).scene;
         const Examiner examiner(scene);
         CHECK((examiner.unsteady_pixels() > 0) == example.degenerate);
         std::uint64_t fewer_operations = 0;

@@ -36,7 +36,8 @@ struct Court {
     Verdict last() const { return verdicts.back(); }
 };
 
-CheckReport checked(const Scene& scene, Method method, std::string_view kernel, Edition edition = Edition::corrected) {
+CheckReport checked(const AdmittedScene& scene, Method method, std::string_view kernel,
+                    Edition edition = Edition::corrected) {
     return check_run({method, *kernel_named(kernel), edition, scene}, right_picture(scene));
 }
 
@@ -171,7 +172,7 @@ TEST_CASE("A run with only right decisions paints the right picture, and a run w
     int wrong_pictures = 0, right_pictures = 0;
     for (int i = 0; i < 150; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             const CheckReport report = checked(scene, method, "float");
             if (report.wrong_pixels > 0) CHECK(wrong_decisions(report) > 0);
@@ -186,7 +187,7 @@ TEST_CASE("A run with only right decisions paints the right picture, and a run w
 TEST_CASE("Under filtered and exact nothing is wrong") {
     RandomScenes random(9);
     for (int i = 0; i < 30; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             for (const std::string_view kernel : {"filtered", "exact"}) {
                 CHECK_FALSE(checked(scene, method, kernel).found_something());
@@ -197,12 +198,12 @@ TEST_CASE("Under filtered and exact nothing is wrong") {
 
 TEST_CASE("A run under filtered counts which stage decided") {
     // A square over 8 x 8 centres, none on its outline: each of its depths is nearer than no polygon.
-    const Scene plain = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).build();
+    const AdmittedScene plain = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).build();
     const auto easy = checked(plain, Method::zbuffer, "filtered").decided_by;
     CHECK(easy[std::size_t(FilterStage::scene)] == 64);
     CHECK(easy[std::size_t(FilterStage::exact)] == 0);
     // The same square again: 64 depths are equal, which no bound decides.
-    const Scene tied = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).quad(4, 4, 12, 12, .5).build();
+    const AdmittedScene tied = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).quad(4, 4, 12, 12, .5).build();
     const auto hard = checked(tied, Method::zbuffer, "filtered").decided_by;
     CHECK(hard[std::size_t(FilterStage::scene)] == 64);
     CHECK(hard[std::size_t(FilterStage::exact)] == 64);
@@ -213,7 +214,7 @@ TEST_CASE("A run under filtered counts which stage decided") {
 
 TEST_CASE("The printed text paints wrong pixels without a wrong decision: its procedures are wrong") {
     // X-W3: the near square, 8 x 8 pixels, does not surround the window and is overlooked for the far one, which does.
-    const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     const CheckReport report = checked(scene, Method::warnock, "double", Edition::printed);
     CHECK(report.wrong_pixels == 64);
     CHECK(wrong_decisions(report) == 0);
@@ -224,10 +225,10 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
     RandomScenes random(10);
     int truths = 0, disagreements = 0;
     for (int i = 0; i < 12 / thinning; ++i) {
-        const Scene drawn = random.scene();
+        const AdmittedScene drawn = random.scene();
         for (const std::string name : {"float", "double", "bits:9", "depth:5", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);
-            const Scene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
+            const AdmittedScene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
             for (const Method method : {Method::warnock, Method::zbuffer, Method::weiler_atherton}) {
                 for (const Edition edition : all_editions()) {
                     if (!kernel.choice->runs(method, edition)) continue;

@@ -88,7 +88,7 @@ using PolygonAtPixel = std::tuple<int, int, int>;        // a polygon, x, y
 using PolygonsAtPixel = std::tuple<int, int, int, int>;  // two polygons, the nearer one so far last, x, y
 
 /// Hears the events of a run of level `signs`, with their steps.
-void hear_run(const Scene& scene, Method method,
+void hear_run(const AdmittedScene& scene, Method method,
               const std::function<void(std::uint64_t step, const EventView& event)>& hear) {
     std::uint64_t step = 0;
     HeardBy sink([&](const EventView& event) { hear(++step, event); });
@@ -109,7 +109,7 @@ struct Zero {
 };
 
 struct JudgedScene {
-    Scene scene;
+    AdmittedScene scene;
     std::vector<Zero> zeros;
 
     /// The steps of those zeros.
@@ -180,13 +180,13 @@ private:
 };
 
 /// Adds the polygons that are exactly as near as the nearest before them in the scene.
-void add_ties(const Scene& scene, int x, int y, std::set<PolygonsAtPixel>& ties) {
+void add_ties(const AdmittedScene& scene, int x, int y, std::set<PolygonsAtPixel>& ties) {
     const InRationals exact;
     const Rational half = Rational(1) / 2;
     int nearest = -1;
     Rational depth;
-    for (int p = 0; p < int(scene.polygons.size()); ++p) {
-        const auto& polygon = scene.polygons[std::size_t(p)];
+    for (int p = 0; p < int(scene->polygons.size()); ++p) {
+        const auto& polygon = scene->polygons[std::size_t(p)];
         if (!exact.holds(polygon, x, y)) continue;
         const Rational z = InRationals::depth(polygon, Rational(x) + half, Rational(y) + half);
         if (nearest >= 0 && z == depth) ties.emplace(p, nearest, x, y);
@@ -196,18 +196,18 @@ void add_ties(const Scene& scene, int x, int y, std::set<PolygonsAtPixel>& ties)
     }
 }
 
-bool all_planar(const Scene& scene) {
-    return std::all_of(scene.polygons.begin(), scene.polygons.end(), InRationals::is_planar);
+bool all_planar(const AdmittedScene& scene) {
+    return std::all_of(scene->polygons.begin(), scene->polygons.end(), InRationals::is_planar);
 }
 
 /// In every other scene a polygon is there twice.
-Scene scene_with_copies(RandomScenes& random, int number) {
+AdmittedScene scene_with_copies(RandomScenes& random, int number) {
     Scene scene = random.scene();
     if (number % 2 == 1) {
         scene.polygons.push_back(scene.polygons[std::size_t(random.whole(0, int(scene.polygons.size()) - 1))]);
         scene.polygons.back().id = "copy";
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
 /// 1,000 scenes and their zeros under Warnock's algorithm, judged once.
@@ -236,9 +236,9 @@ TEST_CASE(
     std::size_t on_outlines = 0, equal_depths = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        const Scene scene = scene_with_copies(random, i);
+        const AdmittedScene scene = scene_with_copies(random, i);
         const InRationals exact;
-        const Area& area = scene.area;
+        const Area& area = scene->area;
 
         const Rational half = Rational(1) / 2;
         // The centres at an end of a polygon on a row; and where a polygon is exactly as near as the nearest before it.
@@ -246,8 +246,8 @@ TEST_CASE(
         std::set<PolygonsAtPixel> ties;
         const bool planar = all_planar(scene);
         for (int y = area.y; y < area.bottom(); ++y) {
-            for (int p = 0; p < int(scene.polygons.size()); ++p) {
-                const auto on_row = exact.ends(scene.polygons[std::size_t(p)], y);
+            for (int p = 0; p < int(scene->polygons.size()); ++p) {
+                const auto on_row = exact.ends(scene->polygons[std::size_t(p)], y);
                 if (!on_row) continue;
                 for (int x = area.x; x < area.right(); ++x) {
                     const Rational centre = Rational(x) + half;
@@ -287,12 +287,12 @@ TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the sce
     SUBCASE("of SurroundTest: the points that lie on the line of the edge in question") {
         std::size_t zeros = 0;
         for (const auto& judged : scenes_of_warnock()) {
-            const Scene& scene = judged.scene;
+            const AdmittedScene& scene = judged.scene;
             std::set<std::uint64_t> expected;
             hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
                 const auto* orient = event.get_if<event::Orient>();
                 if (!orient) return;
-                const auto& v = scene.polygons[std::size_t(orient->polygon.index)].vertices;
+                const auto& v = scene->polygons[std::size_t(orient->polygon.index)].vertices;
                 const auto& p = v[std::size_t(orient->edge)];
                 const auto& q = v[(std::size_t(orient->edge) + 1) % v.size()];
                 const Rational x(orient->point.x.number), y(orient->point.y.number);
@@ -309,12 +309,12 @@ TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the sce
     SUBCASE("of PolygonClip: the vertices that lie on the side at which they are clipped") {
         std::size_t zeros = 0;
         for (const auto& judged : scenes_of_warnock()) {
-            const Scene& scene = judged.scene;
+            const AdmittedScene& scene = judged.scene;
             std::set<std::uint64_t> expected;
             std::optional<Clipped> clipped;
             hear_run(scene, Method::warnock, [&](std::uint64_t step, const EventView& event) {
                 if (const auto* begin = event.get_if<event::ClipBegin>()) {
-                    clipped.emplace(scene.polygons[std::size_t(begin->polygon.index)], begin->window);
+                    clipped.emplace(scene->polygons[std::size_t(begin->polygon.index)], begin->window);
                 }
                 if (event.get_if<event::ClipSide>()) clipped->begin_side();
                 if (event.get_if<event::ClipSign>() && clipped->next_is_on_side()) expected.insert(step);
@@ -328,7 +328,7 @@ TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the sce
     SUBCASE("of ProcessWindow: the equal depths of the polygons' planes at a window's corners") {
         std::size_t zeros = 0;
         for (const auto& judged : scenes_of_warnock()) {
-            const Scene& scene = judged.scene;
+            const AdmittedScene& scene = judged.scene;
             if (!all_planar(scene)) continue;
             std::set<std::uint64_t> expected;
             Window window;
@@ -342,7 +342,7 @@ TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the sce
                 const auto corner = std::size_t(*compare->corner);
                 const Rational x(corner < 2 ? window.x : window.right());
                 const Rational y(corner % 2 == 0 ? window.y : window.bottom());
-                const Rational z = InRationals::depth(scene.polygons[std::size_t(compare->polygon.index)], x, y);
+                const Rational z = InRationals::depth(scene->polygons[std::size_t(compare->polygon.index)], x, y);
                 auto& there = nearest[corner];
                 if (there && z == *there) expected.insert(step);
                 if (!there || z > *there) there = z;
@@ -356,7 +356,7 @@ TEST_CASE("On 1,000 scenes the zeros of Warnock's algorithm are those of the sce
     SUBCASE("of PointColor: the equal depths that the picture rule has at its pixels") {
         std::size_t zeros = 0;
         for (const auto& judged : scenes_of_warnock()) {
-            const Scene& scene = judged.scene;
+            const AdmittedScene& scene = judged.scene;
             if (!all_planar(scene)) continue;
             std::set<PolygonsAtPixel> expected, listed;
             hear_run(scene, Method::warnock, [&](std::uint64_t, const EventView& event) {
@@ -384,13 +384,13 @@ TEST_CASE(
     std::size_t zeros = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        const CurveScene scene = random.scene();
+        const AdmittedCurves scene = random.scene();
         std::set<CurveAtColumn> expected;
         const FloatingHorizonReference reference(scene);
-        for (std::size_t curve = 0; curve < scene.curves.size(); ++curve) {
+        for (std::size_t curve = 0; curve < scene->curves.size(); ++curve) {
             const auto& on_horizon = reference.curves()[curve].on_horizon;
             for (std::size_t column = 0; column < on_horizon.size(); ++column) {
-                const int x = scene.curves[curve].samples.front().x + int(column);
+                const int x = scene->curves[curve].samples.front().x + int(column);
                 if (on_horizon[column]) expected.emplace(int(curve), x);
             }
         }
@@ -404,7 +404,7 @@ TEST_CASE(
             });
             FloatingHorizonRequest request{*kernel_named(kernel), Edition::corrected, scene, Detail::signs, &sink};
             told_floating_horizon(request);
-            FindingList list(Procedure::floating_horizon, scene.area, 0);
+            FindingList list(Procedure::floating_horizon, scene->area, 0);
             find_in(request, list);
             std::set<CurveAtColumn> listed;
             for (const auto& each : list.findings()) {
@@ -533,7 +533,7 @@ bool has_operand(const Finding& finding, const std::string& name) {
 }
 
 /// Two level polygons strictly inside the area, with corners on few whole numbers.
-Scene two_level_polygons(RandomScenes& random) {
+AdmittedScene two_level_polygons(RandomScenes& random) {
     SceneBuilder builder({0, 0, 8, 8});
     for (int i = 0; i < 2; ++i) {
         const double z = random.whole(0, 1) / 4.;
@@ -561,7 +561,7 @@ TEST_CASE(
     std::size_t on_lines = 0, common = 0, equal_depths = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        const Scene scene = two_level_polygons(random);
+        const AdmittedScene scene = two_level_polygons(random);
         // Which polygon clips the other, and at which step; none if their boxes are apart.
         std::optional<PolygonPlace> clip;
         std::uint64_t begin = 0;
@@ -571,7 +571,7 @@ TEST_CASE(
             if (call && call->at == Line::WA5) begin = step;
         });
         REQUIRE(clip);
-        const auto outlines = std::array{outline_of(scene.polygons[0]), outline_of(scene.polygons[1])};
+        const auto outlines = std::array{outline_of(scene->polygons[0]), outline_of(scene->polygons[1])};
         const auto other = std::size_t(1 - clip->index);
         const Coincidences expected =
             begin == 0 ? Coincidences{} : coincidences(outlines[other], outlines[std::size_t(clip->index)]);
@@ -593,7 +593,7 @@ TEST_CASE(
         CHECK(listed.on_lines == expected.on_lines);
         CHECK(listed.common == expected.common);
         // Where they overlap, level polygons are equally near if their depths are equal.
-        const bool is_level = scene.polygons[0].vertices[0].z == scene.polygons[1].vertices[0].z;
+        const bool is_level = scene->polygons[0].vertices[0].z == scene->polygons[1].vertices[0].z;
         CHECK(depths == (is_level && overlap(outlines[0], outlines[1]) ? 1 : 0));
         on_lines += expected.on_lines.size();
         common += expected.common.size();
@@ -609,13 +609,14 @@ TEST_CASE("On 1,000 scenes of a polygon alone PaintRegions has its zeros at the 
     std::size_t zeros = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        Scene scene = random.scene();
-        scene.polygons.resize(1);
+        Scene drawn = random.scene();
+        drawn.polygons.resize(1);
+        const AdmittedScene scene = admit(std::move(drawn));
         const InRationals exact;
-        const Area& area = scene.area;
+        const Area& area = scene->area;
         std::set<std::pair<int, int>> expected, listed;
         for (int y = area.y; y < area.bottom(); ++y) {
-            const auto on_row = exact.ends(scene.polygons[0], y);
+            const auto on_row = exact.ends(scene->polygons[0], y);
             if (!on_row) continue;
             for (int x = area.x; x < area.right(); ++x) {
                 const Rational centre = Rational(x) + Rational(1) / 2;

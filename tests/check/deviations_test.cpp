@@ -63,7 +63,7 @@ struct Witness {
             TraceWriter writer(FloatingHorizonHeader{edition, kernel.name(), Detail::signs, surface}, write);
             write_trace(FloatingHorizonRequest{kernel, edition, surface.curves, Detail::signs}, writer);
         } else {
-            const Scene scene = read_scene(scene_text, "witness").scene;
+            const AdmittedScene scene = read_scene(scene_text, "witness").scene;
             TraceWriter writer(TraceHeader{method_of_polygons(), edition, kernel.name(), Detail::signs, scene}, write);
             write_trace({method_of_polygons(), kernel, edition, scene, Detail::signs}, writer);
         }
@@ -218,7 +218,7 @@ TEST_CASE("Single defects: with all of Warnock's the run is that of the printed 
     const Edition defects = *edition_named("printed:x-w1+x-w2+x-w3+x-w4+x-w5+x-w6+x-w7+x-w8+x-w9");
     for (int i = 0; i < 20; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         for (const char* kernel : {"double", "exact"}) {
             const NamedKernel named = *kernel_named(kernel);
             CHECK(run({Method::warnock, named, defects, scene}) ==
@@ -231,7 +231,7 @@ TEST_CASE("Single defects: a run ends on every scene, and paints the same when i
     RandomScenes random(20261125);
     for (int i = 0; i < 8; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Picture right = Reference(scene).picture();
         for (const Deviation deviation : all_deviations()) {
             if (is_mistake(deviation)) continue;  // tests/lib/mistakes_test.cpp

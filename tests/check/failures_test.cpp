@@ -70,14 +70,14 @@ Edition edition_in(const json& run) {
 
 NamedKernel kernel_in(const json& run) { return *kernel_named(run.at("kernel").get<std::string>()); }
 
-RunRequest request_of(const json& run, const Scene& scene) {
+RunRequest request_of(const json& run, const AdmittedScene& scene) {
     return {method_named(run.at("method")), kernel_in(run), edition_in(run), scene, Detail::signs};
 }
 
 /// The signs of failure that a run shows.
 class Shown {
 public:
-    Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
+    Shown(const json& told, const AdmittedScene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
         const TraceHeader header{request_.method, request_.edition, request_.kernel.name(), Detail::signs, scene};
         TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
         request_.sink = &writer;
@@ -160,14 +160,14 @@ void check_shown(const std::string& form, const json& told, const Shown& fails, 
     }
 }
 
-void check_entry(const json& entry, const Scene& scene) {
+void check_entry(const json& entry, const AdmittedScene& scene) {
     const Picture right = Reference(scene).picture();
     const Shown fails(entry.at("fails"), scene), holds(entry.at("holds"), scene);
     for (const auto& [form, told] : entry.at("shows").items()) check_shown(form, told, fails, holds, right);
 }
 
 /// The columns that the rule of the floating horizon draws.
-ColumnsDrawn right_columns(const CurveScene& curves) {
+ColumnsDrawn right_columns(const AdmittedCurves& curves) {
     ColumnsDrawn right;
     const FloatingHorizonReference reference(curves);
     for (const auto& seen : reference.curves()) right.push_back(seen.visible);
@@ -175,7 +175,7 @@ ColumnsDrawn right_columns(const CurveScene& curves) {
 }
 
 /// The curves of a surface file; those of a function with a sample on each column.
-CurveScene true_curves(json surface) {
+AdmittedCurves true_curves(json surface) {
     if (surface.contains("function")) {
         surface["samples"] = surface.at("window").at("width");
         surface.erase("tolerance");
@@ -191,12 +191,12 @@ bool is_drawn(const DrawnLines& lines, std::size_t curve, double x) {
 }
 
 void check_entry(const json& entry, const Surface& surface) {
-    const CurveScene& curves = surface.curves;
-    const auto lines = [](const json& told, const CurveScene& scene) {
+    const AdmittedCurves& curves = surface.curves;
+    const auto lines = [](const json& told, const AdmittedCurves& scene) {
         REQUIRE(told.at("method") == floating_horizon_method);
         return run(FloatingHorizonRequest{kernel_in(told), edition_in(told), scene});
     };
-    const auto drawn = [&](const json& told, const CurveScene& scene) {
+    const auto drawn = [&](const json& told, const AdmittedCurves& scene) {
         return columns_drawn(lines(told, scene), scene);
     };
     const ColumnsDrawn right = right_columns(true_curves(entry.at("scene"))), fails = drawn(entry.at("fails"), curves);
@@ -208,7 +208,7 @@ void check_entry(const json& entry, const Surface& surface) {
             continue;
         }
         REQUIRE(form == "column");
-        const auto column = std::size_t(told[1].get<int>() - curves.curves[curve].samples.front().x);
+        const auto column = std::size_t(told[1].get<int>() - curves->curves[curve].samples.front().x);
         CHECK(fails[curve][column] != right[curve][column]);
     }
     const json& holds = entry.at("holds");
@@ -238,7 +238,8 @@ TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy do
 
 TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it, by each algorithm") {
     // N covers (8, 8) and lies in front of Q.
-    const Scene scene = SceneBuilder(area_16).polygon("Q", red, far_quad).polygon("N", green, near_square).build();
+    const AdmittedScene scene =
+        SceneBuilder(area_16).polygon("Q", red, far_quad).polygon("N", green, near_square).build();
     for (const auto& [method, paints] : std::to_array<std::pair<std::string, std::string>>(
              {{"warnock", "fill"}, {"zbuffer", "span"}, {"weiler-atherton", "paint"}})) {
         CAPTURE(method);
@@ -294,7 +295,7 @@ TEST_CASE("Failures: a fused multiply-add changes the sign of an orientation") {
 
 TEST_CASE("Failures: clipping a clipped polygon changes it") {
     // The triangle of the entry clip-pixel, by each window of 1 x 1, and what is left by the same window again.
-    const Scene scene = SceneBuilder(area_16).polygon({{-3, 4, 0}, {18, 1, 0}, {7, 12, 0}}).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon({{-3, 4, 0}, {18, 1, 0}, {7, 12, 0}}).build();
     const auto changed = [&]<class K>(K) {
         Stage<K> stage(scene);
         int count = 0;
@@ -349,19 +350,19 @@ TEST_CASE("Failures: windows along the line where two planes meet") {
 
 TEST_CASE("Failures: no order of painting resolves a cyclic overlap") {
     const std::string file = VIDNO_ROOT "/lessons/01-four-relations/cycle.json";
-    const Scene scene = read_scene(read_file(file), file).scene;
+    const AdmittedScene scene = read_scene(read_file(file), file).scene;
     const Picture right = Reference(scene).picture();
-    std::vector<std::size_t> order(scene.polygons.size());
+    std::vector<std::size_t> order(scene->polygons.size());
     std::iota(order.begin(), order.end(), 0);
     do {
-        Picture painted(scene.area, scene.background);
+        Picture painted(scene->area, scene->background);
         for (const std::size_t index : order) {
             Scene alone = scene;
-            alone.polygons = {scene.polygons[index]};
+            alone.polygons = {scene->polygons[index]};
             const Picture one = Reference(alone).picture();
-            for (int y = scene.area.y; y < scene.area.bottom(); ++y) {
-                for (int x = scene.area.x; x < scene.area.right(); ++x) {
-                    if (one.at(x, y) != scene.background) painted.paint(x, y, one.at(x, y));
+            for (int y = scene->area.y; y < scene->area.bottom(); ++y) {
+                for (int x = scene->area.x; x < scene->area.right(); ++x) {
+                    if (one.at(x, y) != scene->background) painted.paint(x, y, one.at(x, y));
                 }
             }
         }
@@ -380,8 +381,8 @@ TEST_CASE("Failures: the printed viewport puts the picture above the area") {
         for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
             corners.emplace_back(viewport * glm::dvec4(corner, 0, 1));
         }
-        const Scene scene = SceneBuilder(area).polygon(std::move(corners)).build();
-        return different_pixels(render(Method::zbuffer, scene, Exact{}), Picture(area, scene.background));
+        const AdmittedScene scene = SceneBuilder(area).polygon(std::move(corners)).build();
+        return different_pixels(render(Method::zbuffer, scene, Exact{}), Picture(area, scene->background));
     };
     CHECK(painted(corrected) == 24);
     CHECK(painted(printed) == 0);
@@ -389,7 +390,8 @@ TEST_CASE("Failures: the printed viewport puts the picture above the area") {
 
 TEST_CASE("Failures: an empty list has no least element") {
     // At the end of each of two polygons S and AEL are empty, in both editions, so no next row may come.
-    const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).quad(4.5, 4.5, 12.5, 12.5, .5).build();
+    const AdmittedScene scene =
+        SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).quad(4.5, 4.5, 12.5, 12.5, .5).build();
     const Picture right = right_picture(scene);
     for (const Edition edition : {Edition::corrected, Edition::printed}) {
         int without_next = 0;
@@ -426,7 +428,7 @@ template <class Set>
 bool shows_alone(const std::string& name) {
     const std::string file = VIDNO_ROOT "/lessons/failures/" + name + ".json";
     const json entry = json::parse(read_file(file));
-    const CurveScene curves = read_surface(entry.at("scene").dump(), file).curves;
+    const AdmittedCurves curves = read_surface(entry.at("scene").dump(), file).curves;
     DrawnLines drawn;
     for (const auto& [segment, from, to] : visible_lines<Set>(curves, Exact{}).lines) {
         drawn.push_back({segment, {{}, from.left, from.right}, {{}, to.left, to.right}});

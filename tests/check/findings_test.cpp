@@ -16,7 +16,7 @@ using namespace vidno::test;
 
 TEST_CASE("A square with its corners on pixel centres: the list names its coincidences and no others") {
     // From (0.5, 0.5) to (2.5, 2.5) on 4 x 4 pixels: rows 0 to 2, whose left ends are the centre of column 0 and right ends that of 2.
-    const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(.5, .5, 2.5, 2.5, .25).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(.5, .5, 2.5, 2.5, .25).build();
     const Checked found = checked(scene, Method::zbuffer, "double");
     std::set<std::pair<int, int>> pixels;
     for (const auto& each : of_kind(found, FindingKind::zero)) {
@@ -32,8 +32,8 @@ TEST_CASE("A square with its corners on pixel centres: the list names its coinci
 TEST_CASE("The list gives the operands of a wrong decision") {
     // As a float 1/2 + 2^-30 is 1/2: the left end of the only row is the centre of column 0 by the float, and beyond it by the scene. There
     // the floats are 2^-24 apart: the two numbers are 2^-30 / 2^-24 = 1/64 ulp from each other.
-    const Scene scene = SceneBuilder({0, 0, 4, 1}).quad(.5 + 0x1p-30, 0, 3, 1, .25).build();
-    FindingList list(Procedure::z_buffer, scene.area, 0);
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 1}).quad(.5 + 0x1p-30, 0, 3, 1, .25).build();
+    FindingList list(Procedure::z_buffer, scene->area, 0);
     const RunRequest request{Method::zbuffer, *kernel_named("float"), Edition::corrected, scene};
     const CheckReport report = check_run(
         request, right_picture(scene), [](const auto&) {}, &list);
@@ -67,7 +67,7 @@ TEST_CASE("The list gives the operands of a wrong decision") {
 
 TEST_CASE("A checked trace has the operands at each decision, and at a disagreement at the step of the list") {
     // The scene of the test above.
-    const Scene scene = SceneBuilder({0, 0, 4, 1}).quad(.5 + 0x1p-30, 0, 3, 1, .25).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 1}).quad(.5 + 0x1p-30, 0, 3, 1, .25).build();
     std::string trace;
     const RunRequest request{Method::zbuffer, *kernel_named("float"), Edition::corrected, scene, Detail::signs};
     TraceWriter writer(TraceHeader{request.method, request.edition, "float", request.detail, scene},
@@ -90,7 +90,7 @@ TEST_CASE("A checked trace has the operands at each decision, and at a disagreem
 TEST_CASE("The list has the requested number of narrow decisions, and these are the narrowest") {
     RandomScenes random(21);
     for (int i = 0; i < 40 / thinning; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const auto few = of_kind(checked(scene, Method::warnock, "double", 5), FindingKind::narrow);
         auto all = of_kind(checked(scene, Method::warnock, "double", 1'000'000), FindingKind::narrow);
         REQUIRE(few.size() == std::min<std::size_t>(5, all.size()));
@@ -105,7 +105,7 @@ TEST_CASE("A constructed point half a pixel off is an error, and the report says
     RandomScenes random(24);
     int off = 0;
     for (int i = 0; i < 200 / thinning; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Checked found = checked(scene, Method::warnock, "bits:5");
         const auto points = of_kind(found, FindingKind::point);
         CHECK(found.report.points_off == points.size());

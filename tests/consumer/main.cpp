@@ -1,13 +1,15 @@
 // Two polygons, two methods, one picture.
+#include <vidno/admission.h>
 #include <vidno/vidno.h>
 #include <cstdio>
 
 int main() {
-    vidno::Scene scene{.name = "A triangle before a square", .area = {0, 0, 8, 4}, .background = {}, .polygons = {}};
-    scene.polygons.push_back(
+    vidno::Scene drawn{.name = "A triangle before a square", .area = {0, 0, 8, 4}, .background = {}, .polygons = {}};
+    drawn.polygons.push_back(
         {.id = "S", .color = {'s', 0, 0}, .vertices = {{2, 1, 0}, {6, 1, 0}, {6, 4, 0}, {2, 4, 0}}});
-    scene.polygons.push_back({.id = "T", .color = {'t', 0, 0}, .vertices = {{0, 0, 0.5}, {4, 0, 0.5}, {0, 4, 0.5}}});
-    scene.background = {'.', 0, 0};
+    drawn.polygons.push_back({.id = "T", .color = {'t', 0, 0}, .vertices = {{0, 0, 0.5}, {4, 0, 0.5}, {0, 4, 0.5}}});
+    drawn.background = {'.', 0, 0};
+    const vidno::AdmittedScene scene = vidno::admit(drawn);
 
     for (const auto method : {vidno::Method::warnock, vidno::Method::zbuffer}) {
         const vidno::Picture picture = vidno::render(method, scene, vidno::Double{});

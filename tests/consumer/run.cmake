@@ -12,6 +12,11 @@ must(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DC
      -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 must(${CMAKE_COMMAND} --build ${WORK}/build)
 
+execute_process(COMMAND ${WORK}/build/curves OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+if(NOT printed STREQUAL "0: 0 to 3 at 1\n1: 0 to 3 at 5\n")
+    message(FATAL_ERROR "The lines are\n${printed}")
+endif()
+
 execute_process(COMMAND ${WORK}/build/consumer OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 # The triangle holds the centres with column + row <= 3, the square those of columns 2 to 5 and rows 1 to 3.
 set(picture "tttt....\ntttsss..\nttssss..\nt.ssss..\n")

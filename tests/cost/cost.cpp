@@ -11,7 +11,7 @@ namespace {
 using namespace vidno;
 
 template <class Set, Kernel K>
-void run(const Scene& scene, K kernel) {
+void run(const AdmittedScene& scene, K kernel) {
     for (const auto method : {Method::warnock, Method::zbuffer}) {
         const Picture picture = render<Set>(method, scene, kernel);
         unsigned sum = 0;
@@ -23,7 +23,7 @@ void run(const Scene& scene, K kernel) {
 }  // namespace
 
 int main() {
-    const Scene scene = random_triangles(200, 128, 4);
+    const AdmittedScene scene = random_triangles(200, 128, 4);
     run<Corrected>(scene, Double{});
     run<Corrected>(scene, Float{});
     run<Printed>(scene, Double{});

@@ -19,7 +19,7 @@ using namespace vidno::test;
 namespace {
 
 /// The scene in the smallest area that holds all triangles, since the envelope is not cut to an area.
-Scene whole(Scene scene) {
+AdmittedScene whole(Scene scene) {
     glm::dvec3 low(scene.area.x, scene.area.y, 0), high(scene.area.right(), scene.area.bottom(), 0);
     for (const auto& polygon : scene.polygons) {
         for (const auto& vertex : polygon.vertices) {
@@ -28,14 +28,14 @@ Scene whole(Scene scene) {
         }
     }
     scene.area = {int(low.x), int(low.y), int(high.x - low.x), int(high.y - low.y)};
-    return scene;
+    return admit(std::move(scene));
 }
 
 const Rational& exactly(const Rational& number) { return number; }
 Rational exactly(const Constructed& number) { return number.exactly(); }
 
 template <class K>
-void check_areas(const Scene& scene, const std::map<int, Rational>& expected) {
+void check_areas(const AdmittedScene& scene, const std::map<int, Rational>& expected) {
     std::map<int, Rational> areas;
     for (const auto& [polygon, outlines] : visible_regions(scene, K{}).regions) {
         areas[polygon] += exactly(area_of(outlines));
@@ -43,7 +43,7 @@ void check_areas(const Scene& scene, const std::map<int, Rational>& expected) {
     CHECK(areas == expected);
 }
 
-void check_regions(const Scene& scene) {
+void check_regions(const AdmittedScene& scene) {
     const Envelope envelope(scene);
     const Picture expected = envelope.picture();
     CHECK(different_pixels(visible_regions(scene, Exact{}).picture, expected) == 0);
@@ -52,7 +52,7 @@ void check_regions(const Scene& scene) {
     check_areas<Filtered>(whole(scene), envelope.areas());
 }
 
-void check_pictures(const Scene& scene) {
+void check_pictures(const AdmittedScene& scene) {
     const Picture expected = Envelope(scene).picture();
     CHECK(different_pixels(Reference(scene).picture(), expected) == 0);
     for (const Method method : {Method::warnock, Method::zbuffer}) {
@@ -61,15 +61,15 @@ void check_pictures(const Scene& scene) {
     }
 }
 
-void check_all_agree(const Scene& scene) {
+void check_all_agree(const AdmittedScene& scene) {
     check_pictures(scene);
     check_regions(scene);
 }
 
 /// Each polygon as a fan of triangles, each with its own colour.
-Scene triangulated(const Scene& scene) {
-    SceneBuilder builder(scene.area);
-    for (const auto& polygon : scene.polygons) {
+AdmittedScene triangulated(const AdmittedScene& scene) {
+    SceneBuilder builder(scene->area);
+    for (const auto& polygon : scene->polygons) {
         const auto& v = polygon.vertices;
         for (std::size_t i = 2; i < v.size(); ++i) builder.polygon({v[0], v[i - 1], v[i]});
     }
@@ -80,12 +80,12 @@ Scene triangulated(const Scene& scene) {
 
 TEST_CASE("The envelope by hand: closed outlines, ties, an edge-on triangle") {
     // All outlines pass through centres. The first two are one triangle; the third shares its longest edge.
-    const Scene scene = SceneBuilder({0, 0, 4, 4})
-                            .polygon({{.5, .5, 0}, {3.5, .5, 0}, {.5, 3.5, 0}})
-                            .polygon({{.5, 3.5, 0}, {.5, .5, 0}, {3.5, .5, 0}})
-                            .polygon({{3.5, .5, 0}, {3.5, 3.5, 0}, {.5, 3.5, 0}})
-                            .polygon({{.5, .5, 1}, {3.5, 3.5, 1}, {2, 2, .5}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4})
+                                    .polygon({{.5, .5, 0}, {3.5, .5, 0}, {.5, 3.5, 0}})
+                                    .polygon({{.5, 3.5, 0}, {.5, .5, 0}, {3.5, .5, 0}})
+                                    .polygon({{3.5, .5, 0}, {3.5, 3.5, 0}, {.5, 3.5, 0}})
+                                    .polygon({{.5, .5, 1}, {3.5, 3.5, 1}, {2, 2, .5}})
+                                    .build();
     const Picture picture = Envelope(scene).picture();
     for (int y = 0; y < 4; ++y) {
         for (int x = 0; x < 4; ++x) CHECK(picture.at(x, y) == color_of(x + y <= 3 ? 0 : 2));
@@ -95,10 +95,10 @@ TEST_CASE("The envelope by hand: closed outlines, ties, an edge-on triangle") {
 
 TEST_CASE("The envelope tells apart what `double` does not") {
     // At the centre (1/2, 1/2) the second triangle is nearer by 2^-56, a quarter of an ulp.
-    const Scene scene = SceneBuilder({0, 0, 1, 1})
-                            .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25}})
-                            .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25 + 0x1p-54}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 1, 1})
+                                    .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25}})
+                                    .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25 + 0x1p-54}})
+                                    .build();
     CHECK(Envelope(scene).picture().at(0, 0) == color_of(1));
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         CHECK(render(method, scene, Double{}).at(0, 0) == color_of(0));
@@ -119,8 +119,9 @@ TEST_CASE("Triangles next to coincidences") {
     std::size_t wrong_in_double = 0;
     for (int i = 0; i < 500; ++i) {
         CAPTURE(i);
-        Scene scene = triangulated(random.scene());
-        REQUIRE(moved_by_ulps(scene, random));
+        const auto moved = moved_by_ulps(triangulated(random.scene()), random);
+        REQUIRE(moved);
+        const AdmittedScene& scene = *moved;
         check_pictures(scene);
         if (i % 10 == 0) check_regions(scene);
         wrong_in_double += different_pixels(render(Method::zbuffer, scene, Double{}), Envelope(scene).picture());

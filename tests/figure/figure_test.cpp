@@ -21,11 +21,11 @@ namespace vidno::figures {
 
 namespace {
 
-TraceHeader header_of(Scene scene, Method method = Method::warnock, Detail detail = Detail::signs) {
+TraceHeader header_of(AdmittedScene scene, Method method = Method::warnock, Detail detail = Detail::signs) {
     return {method, Edition::corrected, "double", detail, std::move(scene)};
 }
 
-Scene near_before_far() {
+AdmittedScene near_before_far() {
     return test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build();
 }
 
@@ -127,10 +127,10 @@ TEST_CASE("in grey, two polygons of one lightness differ by their texture") {
     // By ITU-R BT.709 red has 0.2126 * 255 = 54.2, green of 76 0.7152 * 76 = 54.4: both 54.
     const Color green{0, 76, 0};
     CHECK(tinted(test::red, true) == tinted(green, true));
-    const Scene scene = test::SceneBuilder(test::area_16)
-                            .polygon("A", test::red, test::far_quad)
-                            .polygon("B", green, test::near_square)
-                            .build();
+    const AdmittedScene scene = test::SceneBuilder(test::area_16)
+                                    .polygon("A", test::red, test::far_quad)
+                                    .polygon("B", green, test::near_square)
+                                    .build();
     const TraceHeader header = header_of(scene);
     const auto strokes_of = [&](const Color& color) {
         Drawing drawing{80, 80};
@@ -291,9 +291,9 @@ TEST_CASE("ids never overlap, and each polygon has its own if there is room") {
     test::RandomScenes random(7);
     std::size_t names = 0, polygons = 0;
     for (int i = 0; i < 100; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         Drawing drawing{80, 80};
-        const Plane plane = plane_in(scene.area, 80, 80);
+        const Plane plane = plane_in(scene->area, 80, 80);
         draw_names(drawing, scene, plane, {});
         std::vector<Box> boxes;
         for (const auto& path : all<Path>(drawing)) {
@@ -306,14 +306,14 @@ TEST_CASE("ids never overlap, and each polygon has its own if there is room") {
             for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(boxes[a].overlaps(boxes[b]));
         }
         names += boxes.size();
-        polygons += scene.polygons.size();
+        polygons += scene->polygons.size();
     }
     CHECK(names > 0.95 * double(polygons));  // a narrow area has no room for all
 }
 
 TEST_CASE("an id stands where there is no other polygon") {
     // The middle of the far quad, (8, 8), lies under the near square from 4 to 12.
-    const Scene scene = near_before_far();
+    const AdmittedScene scene = near_before_far();
     Drawing drawing{80, 80};
     draw_names(drawing, scene, plane_80, {});
     const auto labels = all<Label>(drawing);

@@ -15,15 +15,15 @@ namespace vidno::figures {
 
 namespace {
 
-Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
+AdmittedScene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
 
 /// A covers all of 2 x 2 pixels; B, in front of it, lies in the upper left one.
-Scene a_pixel_before_a_wall() {
+AdmittedScene a_pixel_before_a_wall() {
     return test::SceneBuilder({0, 0, 2, 2}).quad(-1, -1, 3, 3, 0).quad(.25, .25, .75, .75, .5).build();
 }
 
 /// z = y / 8 over all of 4 x 4 pixels.
-Scene a_slope() {
+AdmittedScene a_slope() {
     return test::SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, .5}, {0, 4, .5}}).build();
 }
 

@@ -264,7 +264,7 @@ CheckedEvents checked(const Surface& surface, const Choice& choice) {
 bool is_visible(const Answer& flag) { return std::get<int>(flag) != int(VisibilityFlag::hidden); }
 
 /// The flags that the rule gives for each column of each curve, in order.
-std::vector<bool> by_the_rule(const CurveScene& scene) {
+std::vector<bool> by_the_rule(const AdmittedCurves& scene) {
     std::vector<bool> visible;
     const FloatingHorizonReference reference(scene);
     for (const auto& curve : reference.curves())
@@ -272,11 +272,7 @@ std::vector<bool> by_the_rule(const CurveScene& scene) {
     return visible;
 }
 
-Surface next_to_coincidences(RandomCurves& random) {
-    Surface surface{"", random.scene()};
-    move_by_ulps(surface.curves, random);
-    return surface;
-}
+Surface next_to_coincidences(RandomCurves& random) { return {"", moved_by_ulps(random.scene(), random)}; }
 
 }  // namespace
 
@@ -341,7 +337,8 @@ TEST_CASE("Curves: beside a wrong decision under double, the truth is that of th
 TEST_CASE("Curves: a check counts decisions by procedure, and the columns that are wrong") {
     // The second curve is below the first over all of its columns: as printed it is not drawn (X-H1). Three decisions of
     // Visibility on each curve: its three columns; the text looks at two, its samples.
-    const CurveScene scene = CurveSceneBuilder({0, 0, 4, 16}).curve({{0, 4}, {2, 4}}).curve({{0, 12}, {2, 12}}).build();
+    const AdmittedCurves scene =
+        CurveSceneBuilder({0, 0, 4, 16}).curve({{0, 4}, {2, 4}}).curve({{0, 12}, {2, 12}}).build();
     const auto decisions = [](const FloatingHorizonCheckReport& report, Procedure procedure) {
         const auto of = std::find_if(report.procedures.begin(), report.procedures.end(),
                                      [&](const auto& each) { return each.procedure == procedure; });
@@ -360,7 +357,7 @@ TEST_CASE("Curves: a check counts decisions by procedure, and the columns that a
 
 TEST_CASE("Curves: how far double's intersections are from the exact ones") {
     // 0.1 + x / 3 from (0, 0.1) to (9, 3.1) comes to 1 at x = 2.7 (nearly, for 0.1 and 3.1 are no doubles).
-    const CurveScene scene =
+    const AdmittedCurves scene =
         CurveSceneBuilder({0, 0, 10, 16}).curve({{0, 1}, {9, 1}}).curve({{0, 0.1}, {9, 3.1}}).build();
     const auto report = check_run(FloatingHorizonRequest{*kernel_named("double"), Edition::corrected, scene});
     CHECK(report.intersections == 2);  // the line that ends above, and the one that begins below

@@ -57,7 +57,7 @@ std::vector<TraceLines> traces_of_all_methods() {
             for (std::size_t place = 0; place < method_names.size(); ++place) {
                 const auto method = Method(place);
                 if (!kernel.choice->runs(method, edition)) continue;
-                const Scene scene = random.scene();
+                const AdmittedScene scene = random.scene();
                 traces.push_back(traced(TraceHeader{method, edition, name, Detail::signs, scene},
                                         RunRequest{method, kernel, edition, scene, Detail::signs}, place % 2 == 0));
             }

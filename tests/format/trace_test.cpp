@@ -26,7 +26,7 @@ struct Choice {
     Edition edition;
     std::string kernel;
 
-    RunRequest request(const Scene& scene, Detail detail, TraceWriter* writer) const {
+    RunRequest request(const AdmittedScene& scene, Detail detail, TraceWriter* writer) const {
         return {method, *kernel_named(kernel), edition, scene, detail, writer};
     }
 };
@@ -45,7 +45,7 @@ std::vector<Choice> all_choices() {
     return choices;
 }
 
-TraceHeader header_of(const Scene& scene, const Choice& choice, Detail detail) {
+TraceHeader header_of(const AdmittedScene& scene, const Choice& choice, Detail detail) {
     return {choice.method, choice.edition, choice.kernel, detail, scene};
 }
 
@@ -54,7 +54,7 @@ struct TracedRun {
     Picture picture;
 };
 
-TracedRun traced(const Scene& scene, const Choice& choice, Detail detail) {
+TracedRun traced(const AdmittedScene& scene, const Choice& choice, Detail detail) {
     std::string text;
     TraceWriter writer(header_of(scene, choice, detail), [&](std::string_view part) { text += part; });
     const Picture picture = run(choice.request(scene, detail, &writer));
@@ -109,7 +109,7 @@ TEST_CASE("Kernels by name: a parameter where there is one, and in range") {
 }
 
 TEST_CASE("Sufficient: the picture at every level") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     for (const auto& choice : all_choices()) {
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
             CAPTURE(choice.kernel);
@@ -128,14 +128,14 @@ TEST_CASE("Sufficient: the picture at every level") {
 }
 
 TEST_CASE("Recording does not change the run") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     for (const auto& choice : all_choices()) {
         CHECK(traced(scene, choice, Detail::signs).picture == run(choice.request(scene, Detail::windows, nullptr)));
     }
 }
 
 TEST_CASE("Graded: a lower level is a higher one with events left out") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     for (const auto& choice : all_choices()) {
         CAPTURE(choice.kernel);
         for (const Detail detail : {Detail::windows, Detail::polygons}) {
@@ -149,7 +149,7 @@ TEST_CASE("Graded: a lower level is a higher one with events left out") {
 }
 
 TEST_CASE("Read back and written again the bytes are the same, twice traced too") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     for (const auto& choice : all_choices()) {
         const std::string text = traced(scene, choice, Detail::signs).text;
         CHECK(text == traced(scene, choice, Detail::signs).text);
@@ -245,11 +245,11 @@ TEST_CASE("FORMAT.md: the worked example is what the program writes") {
     const std::string example = format.str().substr(begin + opening.size(), end - begin - opening.size());
     TraceReader reader = reader_of(example);
     const Choice choice{reader.header().method, Edition::corrected, "double"};
-    CHECK(traced(reader.header().scene, choice, reader.header().detail).text == example);
+    CHECK(traced(admit(reader.header().scene), choice, reader.header().detail).text == example);
 }
 
 TEST_CASE("The index of lines has the position and the name of each event") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         const Choice choice{method, Edition::corrected, "double"};
         std::string text;
@@ -276,7 +276,7 @@ TEST_CASE("The index of lines has the position and the name of each event") {
 }
 
 TEST_CASE("A limit keeps the events so far and marks the trace as partial") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     const Choice choice = all_choices().front();
     std::string text;
     TraceWriter writer(
@@ -292,7 +292,7 @@ TEST_CASE("A limit keeps the events so far and marks the trace as partial") {
 }
 
 TEST_CASE("A state refuses an event that cannot follow") {
-    const Scene scene = SceneBuilder(area_16).polygon(far_quad).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).build();
     const auto impossible = [&](Method method, const std::vector<Event>& events) -> std::string {
         const TraceHeader header = header_of(scene, {method, Edition::corrected, "double"}, Detail::windows);
         State state(header);

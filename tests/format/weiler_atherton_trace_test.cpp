@@ -21,11 +21,11 @@ using namespace vidno::test;
 
 namespace {
 
-RunRequest request_of(const Scene& scene, const std::string& kernel, Detail detail = Detail::windows) {
+RunRequest request_of(const AdmittedScene& scene, const std::string& kernel, Detail detail = Detail::windows) {
     return {Method::weiler_atherton, *kernel_named(kernel), Edition::corrected, scene, detail};
 }
 
-std::string traced(const Scene& scene, const std::string& kernel, Detail detail, bool checked = false) {
+std::string traced(const AdmittedScene& scene, const std::string& kernel, Detail detail, bool checked = false) {
     std::string text;
     TraceWriter writer(TraceHeader{Method::weiler_atherton, Edition::corrected, kernel, detail, scene},
                        [&](std::string_view part) { text += part; });
@@ -34,7 +34,7 @@ std::string traced(const Scene& scene, const std::string& kernel, Detail detail,
     return text;
 }
 
-Scene near_before_far() { return SceneBuilder(area_16).polygon(far_quad).quad(6, 6, 10, 10, .5).build(); }
+AdmittedScene near_before_far() { return SceneBuilder(area_16).polygon(far_quad).quad(6, 6, 10, 10, .5).build(); }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ TEST_CASE("Regions: the worked example of FORMAT.md is what the program writes")
     REQUIRE(end != std::string::npos);
     const std::string example = format.str().substr(begin, end - begin);
     const TraceReader reader(LineReader::of_text(example), "FORMAT.md");
-    CHECK(traced(reader.header().scene, reader.header().kernel, reader.header().detail) == example);
+    CHECK(traced(admit(reader.header().scene), reader.header().kernel, reader.header().detail) == example);
 }
 
 TEST_CASE("Regions: an event that no run reports is refused") {
@@ -79,7 +79,7 @@ TEST_CASE("Regions: a check finds nothing under filtered and exact, and rounding
     std::uint64_t wrong_in_double = 0;
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Picture right = right_picture(scene);
         for (const std::string kernel : {"filtered", "exact"}) {
             const CheckReport report = check_run(request_of(scene, kernel), right);
@@ -95,10 +95,10 @@ TEST_CASE("Regions: a check finds nothing under filtered and exact, and rounding
 
 TEST_CASE("Regions: a wrong sign is reported as a sign, and a yes or no by its own name") {
     // B's vertex is on A's edge: 4.2 + (2.78 - .8) (4.4 - 4.2) / (4.1 - .8) = 4.2 + .12 = 4.32. Rounded, it is inside A.
-    const Scene touch = SceneBuilder({0, 0, 5, 5})
-                            .polygon({{4.1, 4.4, .5}, {.8, 4.2, .5}, {4, 5, .5}})
-                            .polygon({{2.78, 4.32, 0}, {0, 3, 0}, {1, 2, 0}})
-                            .build();
+    const AdmittedScene touch = SceneBuilder({0, 0, 5, 5})
+                                    .polygon({{4.1, 4.4, .5}, {.8, 4.2, .5}, {4, 5, .5}})
+                                    .polygon({{2.78, 4.32, 0}, {0, 3, 0}, {1, 2, 0}})
+                                    .build();
     TraceReader reader(LineReader::of_text(traced(touch, "double", Detail::signs, true)), "trace");
     std::set<Decision> found;
     while (const auto event = reader.next()) {
@@ -114,7 +114,7 @@ TEST_CASE("Regions: a wrong sign is reported as a sign, and a yes or no by its o
 }
 
 TEST_CASE("Regions as a file: polygons with their areas, exact under exact") {
-    const Scene scene = near_before_far();
+    const AdmittedScene scene = near_before_far();
     std::vector<ShownRegion> regions;
     RunRequest request = request_of(scene, "exact");
     request.regions = &regions;

@@ -65,7 +65,7 @@ private:
     double last_ = 0;
 };
 
-Scene scene_of(Bytes bytes) {
+AdmittedScene scene_of(Bytes bytes) {
     Scene scene;
     scene.area = {int(bytes.one() % 5) - 2, int(bytes.one() % 5) - 2, 1 + int(bytes.one() % 8),
                   1 + int(bytes.one() % 8)};
@@ -81,19 +81,19 @@ Scene scene_of(Bytes bytes) {
             const double y = coordinates.next();
             polygon.vertices.emplace_back(x, y, is_level ? level : coordinates.depth());
         }
-        if (exact_scene::admit(polygon).admission == Admission::admitted) scene.polygons.push_back(polygon);
+        if (exact_scene::admit_polygon(polygon).admission == Admission::admitted) scene.polygons.push_back(polygon);
     }
-    return scene;
+    return exact_scene::admit(std::move(scene));
 }
 
-Picture drawn(Method method, std::string_view kernel, const Scene& scene) {
+Picture drawn(Method method, std::string_view kernel, const AdmittedScene& scene) {
     return run({.method = method, .kernel = *kernel_named(kernel), .edition = Edition::corrected, .scene = scene});
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const Scene scene = scene_of(Bytes(data, size));
+    const AdmittedScene scene = scene_of(Bytes(data, size));
     const bool are_bodies = !refuses_bodies(scene);
     for (std::size_t i = 0; i < method_choices.size(); ++i) {
         const auto method = Method(i);
@@ -104,7 +104,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
     }
     try {
-        const Scene snapped = snapped_scene(scene, 4).scene;
+        const AdmittedScene snapped = snapped_scene(scene, 4).scene;
         const Picture by_windows = drawn(Method::warnock, "grid:4", snapped);
         if (!(by_windows == drawn(Method::zbuffer, "grid:4", snapped))) std::abort();
         if (!(by_windows == drawn(Method::zbuffer, "exact", snapped))) std::abort();

@@ -19,6 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     const auto again = vidno::read_scene(vidno::scene_json(scene), "again.json");
-    if (!(again.scene == scene) || !again.warnings.empty()) std::abort();
+    if (!(*again.scene == scene) || !again.warnings.empty()) std::abort();
     return 0;
 }

@@ -33,7 +33,7 @@ void compare_readers(const auto& header, std::string_view text) {
 }
 void follow(TraceReader& reader) { follow<State>(reader, reader.header().scene.area); }
 void follow(FloatingHorizonTraceReader& reader) {
-    follow<FloatingHorizonState>(reader, reader.header().scene.curves.area);
+    follow<FloatingHorizonState>(reader, reader.header().scene.curves->area);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using Place = SceneTruth::Place;
 
-StudentRun run_of(const Scene& scene, Method method, const char* kernel, Edition edition = Edition::corrected,
+StudentRun run_of(const AdmittedScene& scene, Method method, const char* kernel, Edition edition = Edition::corrected,
                   Detail detail = Detail::signs) {
     const NamedKernel named = *kernel_named(kernel);
     std::string text;
@@ -33,7 +33,7 @@ Judgement judgement_of(const StudentRun& run) {
 
 /// Judges a run in which `change` has altered events of the kind E, until it returns true.
 template <class E>
-Judgement with_changed(const Scene& scene, Method method, auto change, Detail detail = Detail::signs) {
+Judgement with_changed(const AdmittedScene& scene, Method method, auto change, Detail detail = Detail::signs) {
     StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
     for (auto& event : run.events) {
         const E* found = event.get_if<E>();
@@ -52,16 +52,18 @@ std::string wrong_of(const Judgement& judgement) {
 }
 
 /// Two squares side by side on the line x = 4.5, through the centres of column 4.
-Scene neighbours() { return SceneBuilder({0, 0, 8, 8}).quad(1, 1, 4.5, 7, .25).quad(4.5, 1, 7, 7, .25).build(); }
+AdmittedScene neighbours() {
+    return SceneBuilder({0, 0, 8, 8}).quad(1, 1, 4.5, 7, .25).quad(4.5, 1, 7, 7, .25).build();
+}
 
 }  // namespace
 
 TEST_CASE("The truth of a scene: depths and places, by hand") {
     // z = x / 8 - 1/2, from -1/2 at x = 0 to 1/2 at x = 8.
-    const Scene scene = SceneBuilder({0, 0, 8, 8})
-                            .polygon({{0, 0, -.5}, {8, 0, .5}, {8, 4, .5}, {0, 4, -.5}})
-                            .quad(0, 0, 8, 8, 0)
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
+                                    .polygon({{0, 0, -.5}, {8, 0, .5}, {8, 4, .5}, {0, 4, -.5}})
+                                    .quad(0, 0, 8, 8, 0)
+                                    .build();
     const SceneTruth truth(scene, Precision::twice);
     CHECK(truth.depth(0, 2, 3) == -.25);
     CHECK(truth.is_depth(0, 2, 3, -.25));
@@ -84,7 +86,7 @@ TEST_CASE("The truth of a scene: depths and places, by hand") {
 }
 
 TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order of its corners") {
-    const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(-2, 1, 3, 5, .5).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(-2, 1, 3, 5, .5).build();
     const SceneTruth truth(scene, Precision::twice);
     const Window window{0, 0, 4, 4};  // the part is (0, 1) to (3, 4), of area 9
     const Corners part{{0, 1, .5}, {3, 1, .5}, {3, 4, .5}, {0, 4, .5}};
@@ -106,10 +108,10 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
 }
 
 TEST_CASE("The truth of a scene: an outline may show what is next to it, but a common edge must have no hole") {
-    const Scene scene = neighbours();
+    const AdmittedScene scene = neighbours();
     const SceneTruth truth(scene, Precision::twice);
     const auto allows = [&](int column, int row, Color color) { return truth.allows(column, row, color); };
-    const Color left = scene.polygons[0].color, right = scene.polygons[1].color, behind = scene.background;
+    const Color left = scene->polygons[0].color, right = scene->polygons[1].color, behind = scene->background;
     CHECK(truth.seen(4, 3).by_rule == 0);
     CHECK(allows(4, 3, left));
     CHECK(allows(4, 3, right));
@@ -118,7 +120,7 @@ TEST_CASE("The truth of a scene: an outline may show what is next to it, but a c
     CHECK_FALSE(allows(2, 3, right));
     CHECK(allows(0, 0, behind));
     // At the end of the common edge, the background is next to the point too.
-    const Scene ends = SceneBuilder({0, 0, 8, 8}).quad(1, 1.5, 4.5, 7, .25).quad(4.5, 1.5, 7, 7, .25).build();
+    const AdmittedScene ends = SceneBuilder({0, 0, 8, 8}).quad(1, 1.5, 4.5, 7, .25).quad(4.5, 1.5, 7, 7, .25).build();
     const SceneTruth end_truth(ends, Precision::twice);
     CHECK(end_truth.allows(4, 1, left));
     CHECK(end_truth.allows(4, 1, right));
@@ -128,7 +130,7 @@ TEST_CASE("The truth of a scene: an outline may show what is next to it, but a c
 TEST_CASE("Judging: our own runs are right, in double and in float, on random and degenerate scenes") {
     RandomScenes random(77);
     for (int trial = 0; trial < 60; ++trial) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             for (const char* kernel : {"double", "float"}) {
                 CAPTURE(trial);
@@ -141,8 +143,8 @@ TEST_CASE("Judging: our own runs are right, in double and in float, on random an
 }
 
 TEST_CASE("Judging: our own runs are right on the scenes for students, at every level") {
-    for (const Scene& scene : scenes_to_grade()) {
-        CAPTURE(scene.name);
+    for (const AdmittedScene& scene : scenes_to_grade()) {
+        CAPTURE(scene->name);
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
                 const Judgement judgement = judgement_of(run_of(scene, method, "double", Edition::corrected, detail));
@@ -154,7 +156,7 @@ TEST_CASE("Judging: our own runs are right on the scenes for students, at every 
 }
 
 TEST_CASE("Judging: a changed claim is the one that the judge finds") {
-    const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     const auto symptom = [](const Judgement& judgement) {
         return judgement.wrong ? judgement.wrong->symptom : Symptom::impossible;
     };
@@ -196,7 +198,7 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
 
 TEST_CASE("Judging: the printed text is wrong where its defect X-W1 shows") {
     // X-W1: polygons that surround the window leave the list. The far quad surrounds the first window.
-    const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     CHECK(judgement_of(run_of(scene, Method::warnock, "double", Edition::printed)).wrong.has_value());
 }
 
@@ -232,7 +234,7 @@ TEST_CASE("Judging: on the scenes for students each usual mistake is found and n
             CAPTURE(int(method));
             std::vector<StudentRun> runs;
             std::vector<Judgement> judgements;
-            for (const Scene& scene : scenes_to_grade()) {
+            for (const AdmittedScene& scene : scenes_to_grade()) {
                 runs.push_back(run_of(scene, method, "double", edition, Detail::signs));
                 judgements.push_back(judgement_of(runs.back()));
             }
@@ -256,7 +258,7 @@ TEST_CASE("Judging: an incomplete trace is judged as far as it goes") {
 }
 
 TEST_CASE("A judge ignores the order of polygons and vertices in a scene") {
-    const Scene scene = neighbours();
+    const AdmittedScene scene = neighbours();
     Scene other = scene;
     std::swap(other.polygons[0], other.polygons[1]);
     std::reverse(other.polygons[0].vertices.begin(), other.polygons[0].vertices.end());

@@ -17,7 +17,7 @@ file(WRITE ${WORK}/example.h "#include \"${student}/example.h\"\n")
 # Builds a student's program and grades it. Sets `status` and `report`. Further arguments are options of `vidno grade`.
 function(grade source)
     get_filename_component(program ${source} NAME_WE)
-    execute_process(COMMAND ${COMPILER} ${flags} ${source} -o ${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${COMPILER} ${flags} ${source} -o ${program} ${libraries} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
     grade_program(./${program} ${ARGN})
     set(status ${status} PARENT_SCOPE)
     set(report "${report}" PARENT_SCOPE)
@@ -225,7 +225,8 @@ execute_process(COMMAND ${VIDNO} grade surround_kept.jsonl WORKING_DIRECTORY ${W
                 OUTPUT_VARIABLE report)
 must_say(surround_kept.jsonl 1 "It behaves like a usual mistake, surround-kept: ")
 
-# A student may replace single procedures in a run of vidno.
+# A student may replace single procedures in a run of vidno. Admission needs the numbers of CGAL.
+set(libraries -lgmp -lmpfr)
 set(root ${here}/../..)
 set(flags -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} -ffp-contract=off -I${root}/lib -I${root}/trace)
 grade(${student}/surround_test.cpp)

@@ -27,9 +27,9 @@ const std::array originals{Original{VIDNO_ROOT "/lessons/01-four-relations/scene
                            Original{VIDNO_ROOT "/lessons/03-subdivision/scene.json", Method::warnock},
                            Original{VIDNO_ROOT "/lessons/07-z-buffer-ael/scene.json", Method::zbuffer}};
 
-Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
+AdmittedScene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
 
-std::vector<Scene> some_exercises(const Scene& scene, Method method, std::uint64_t seed = 7) {
+std::vector<AdmittedScene> some_exercises(const AdmittedScene& scene, Method method, std::uint64_t seed = 7) {
     return exercises_of(scene, method, 6, seed, [](std::size_t) {});
 }
 
@@ -58,7 +58,7 @@ std::vector<Color> seen(const Picture& picture, int how) {
 
 TEST_CASE("profile: the windows of one quad in the upper left quarter, by hand") {
     // The quad's box is inside the whole window, and no other polygon is there: one window, one entry, W10 and W11.
-    const Scene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).build();
+    const AdmittedScene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).build();
     const Profile profile = profiled_run(scene, Method::warnock).profile;
     CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"entries of APLs", 1}, {"single at level 0", 1}});
     CHECK(profile.met.contains("line W11"));
@@ -69,7 +69,7 @@ TEST_CASE("profile: the windows of one quad in the upper left quarter, by hand")
 TEST_CASE("profile: rows, changes of the AEL and pixels of a quad behind another, by hand") {
     // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad covers the same 16
     // pixels at the same depth, so it loses each of them in a tie.
-    const Scene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).quad(1, 1, 5, 5, 0).build();
+    const AdmittedScene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).quad(1, 1, 5, 5, 0).build();
     const Profile profile = profiled_run(scene, Method::zbuffer).profile;
     CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"changes of the AEL of A", 10},
                                                                  {"changes of the AEL of B", 10},
@@ -98,21 +98,21 @@ TEST_CASE("exercises: as hard as the lesson's scene, no finer numbers, and admit
     for (const auto& [name, method] : originals) {
         const std::string file = name;
         CAPTURE(file);
-        const Scene original = read(file);
+        const AdmittedScene original = read(file);
         const Profile profile = profiled_run(original, method).profile;
         const auto exercises = some_exercises(original, method);
         REQUIRE(exercises.size() == 6);
-        for (const Scene& exercise : exercises) {
+        for (const AdmittedScene& exercise : exercises) {
             CHECK(read_scene(scene_json(exercise), "exercise.json").warnings.empty());
             CHECK(read_scene(scene_json(exercise), "exercise.json").scene == exercise);
             CHECK_NOTHROW(expect_by_hand(exercise, "exercise.json"));
             CHECK(is_as_hard(profiled_run(exercise, method).profile, profile));
-            REQUIRE(exercise.polygons.size() == original.polygons.size());
-            for (std::size_t i = 0; i < exercise.polygons.size(); ++i) {
-                CHECK(exercise.polygons[i].id == original.polygons[i].id);
-                CHECK(exercise.polygons[i].color == original.polygons[i].color);
-                CHECK(exercise.polygons[i].vertices.size() == original.polygons[i].vertices.size());
-                CHECK(most_binary_places(exercise.polygons[i]) <= most_binary_places(original.polygons[i]));
+            REQUIRE(exercise->polygons.size() == original->polygons.size());
+            for (std::size_t i = 0; i < exercise->polygons.size(); ++i) {
+                CHECK(exercise->polygons[i].id == original->polygons[i].id);
+                CHECK(exercise->polygons[i].color == original->polygons[i].color);
+                CHECK(exercise->polygons[i].vertices.size() == original->polygons[i].vertices.size());
+                CHECK(most_binary_places(exercise->polygons[i]) <= most_binary_places(original->polygons[i]));
             }
         }
     }
@@ -135,7 +135,7 @@ TEST_CASE("exercises: no two show the same picture, mirrored or not, nor that of
 }
 
 TEST_CASE("exercises: the same seed gives the same scenes, another seed gives others") {
-    const Scene scene = read(originals[0].scene);
+    const AdmittedScene scene = read(originals[0].scene);
     const auto exercises = some_exercises(scene, Method::warnock);
     CHECK(some_exercises(scene, Method::warnock) == exercises);
     CHECK(some_exercises(scene, Method::warnock, 8) != exercises);
@@ -166,7 +166,7 @@ TEST_CASE("homework: numbered files, the same bytes each time, also by the comma
 }
 
 TEST_CASE("exercises: a scene that is too hard to work by hand is refused") {
-    const auto refusal = [](const Scene& scene) {
+    const auto refusal = [](const AdmittedScene& scene) {
         try {
             expect_by_hand(scene, "scene.json");
         } catch (const Refused& refused) {

@@ -109,9 +109,9 @@ ImportOptions from_the_front() {
     return options;
 }
 
-std::vector<std::string> ids(const Scene& scene) {
+std::vector<std::string> ids(const AdmittedScene& scene) {
     std::vector<std::string> out;
-    for (const auto& polygon : scene.polygons) out.push_back(polygon.id);
+    for (const auto& polygon : scene->polygons) out.push_back(polygon.id);
     return out;
 }
 
@@ -129,10 +129,10 @@ std::string message_for(const std::string& bytes, const std::string& file) {
 TEST_CASE("a cube in every format is the same scene") {
     const auto [scene, warnings] = import_mesh(cube_obj(), "models/cube.obj", {});
     CHECK(warnings == std::vector<std::string>{"models/cube.obj: 6 faces read, 0 dropped"});
-    CHECK(scene.name == "cube");
-    CHECK(scene.area == Area{0, 0, 128, 128});
+    CHECK(scene->name == "cube");
+    CHECK(scene->area == Area{0, 0, 128, 128});
     CHECK(ids(scene) == std::vector<std::string>{"0", "1", "2", "3", "4", "5"});
-    for (const auto& polygon : scene.polygons) {
+    for (const auto& polygon : scene->polygons) {
         CHECK(polygon.vertices.size() == 4);
         for (const auto& vertex : polygon.vertices) {
             CHECK((0 < vertex.x && vertex.x < 128 && 0 < vertex.y && vertex.y < 128));
@@ -144,14 +144,14 @@ TEST_CASE("a cube in every format is the same scene") {
     CHECK(import_mesh(cube_ply(), "cube.ply", {}).scene == scene);
     CHECK(import_mesh(binary_ply(false), "cube.PLY", {}).scene == scene);
     CHECK(import_mesh(binary_ply(true), "cube.ply", {}).scene == scene);
-    CHECK(import_mesh(binary_stl(), "cube.stl", {}).scene.polygons.size() == 12);
-    CHECK(import_mesh(text_stl(), "cube.stl", {}).scene.polygons.size() == 1);
+    CHECK(import_mesh(binary_stl(), "cube.stl", {}).scene->polygons.size() == 12);
+    CHECK(import_mesh(text_stl(), "cube.stl", {}).scene->polygons.size() == 1);
 }
 
 TEST_CASE("faces that face the viewer are lighter") {
     // The default camera stands in front (+z), a little above (+y) and to the right (+x).
-    const Scene scene = import_mesh(cube_obj(), "cube.obj", {}).scene;
-    const auto light = [&](std::size_t face) { return int(scene.polygons[face].color.green); };
+    const AdmittedScene scene = import_mesh(cube_obj(), "cube.obj", {}).scene;
+    const auto light = [&](std::size_t face) { return int(scene->polygons[face].color.green); };
     CHECK(light(5) > light(1));  // z = 1 against x = 1
 }
 
@@ -160,16 +160,16 @@ TEST_CASE("OBJ: corners with normals, indices from the end, tabs, continued line
     for (const std::string face :
          {"f 1 2 3\n", "f 1/1/1 2//1 3/2\n", "f -3 -2 -1\n", "f\t1\t2\t3\r\n", "f 1 2 \\\n3"}) {
         CAPTURE(face);
-        const Scene scene = import_mesh(points + "l 1 2\n" + face, "t.obj", from_the_front()).scene;
-        REQUIRE(scene.polygons.size() == 1);
+        const AdmittedScene scene = import_mesh(points + "l 1 2\n" + face, "t.obj", from_the_front()).scene;
+        REQUIRE(scene->polygons.size() == 1);
         // z: 1 at distance 4, -1 at distance 14; at 9 it is 0.
-        CHECK(scene.polygons[0].vertices == std::vector<glm::dvec3>{{10, 10, 0}, {14, 10, 0}, {10, 6, 0}});
+        CHECK(scene->polygons[0].vertices == std::vector<glm::dvec3>{{10, 10, 0}, {14, 10, 0}, {10, 6, 0}});
     }
 }
 
 TEST_CASE("OFF with colours and normals") {
     const std::string text = "CNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 255\n4 0 0 0 0 1 9 9 9 9\n0 4 0\n3 0 1 2 0.5 0.5 0.5\n";
-    CHECK(import_mesh(text, "t.off", from_the_front()).scene.polygons.size() == 1);
+    CHECK(import_mesh(text, "t.off", from_the_front()).scene->polygons.size() == 1);
 }
 
 TEST_CASE("PLY with other elements, other types and unused lists") {
@@ -178,9 +178,9 @@ TEST_CASE("PLY with other elements, other types and unused lists") {
         "element vertex 3\nproperty uchar red\nproperty double z\nproperty double y\nproperty int x\n"
         "element face 1\nproperty list uchar uchar vertex_index\nproperty float quality\nend_header\n"
         "7 2 0.5 0.5\n255 0 0 0\n255 0 0 4\n255 0 4 0\n3 0 1 2 0.1\n";
-    const Scene scene = import_mesh(text, "t.ply", from_the_front()).scene;
-    REQUIRE(scene.polygons.size() == 1);
-    CHECK(scene.polygons[0].vertices == std::vector<glm::dvec3>{{10, 10, 0}, {14, 10, 0}, {10, 6, 0}});
+    const AdmittedScene scene = import_mesh(text, "t.ply", from_the_front()).scene;
+    REQUIRE(scene->polygons.size() == 1);
+    CHECK(scene->polygons[0].vertices == std::vector<glm::dvec3>{{10, 10, 0}, {14, 10, 0}, {10, 6, 0}});
 }
 
 TEST_CASE("faces that are not planar or not convex are cut into triangles") {
@@ -193,9 +193,9 @@ TEST_CASE("faces that are not planar or not convex are cut into triangles") {
     SUBCASE("an L of six corners: 4 triangles that cover its area of 12 and no more") {
         const auto [scene, warnings] = import_mesh(
             "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 2 2 0\nv 2 4 0\nv 0 4 0\nf 1 2 3 4 5 6\n", "l.obj", from_the_front());
-        REQUIRE(scene.polygons.size() == 4);
+        REQUIRE(scene->polygons.size() == 4);
         double area = 0;
-        for (const auto& polygon : scene.polygons) {
+        for (const auto& polygon : scene->polygons) {
             const auto& v = polygon.vertices;
             area += std::abs((v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[2].x - v[0].x) * (v[1].y - v[0].y)) / 2;
         }
@@ -205,7 +205,7 @@ TEST_CASE("faces that are not planar or not convex are cut into triangles") {
         const auto [scene, warnings] = import_mesh(
             "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 2 2 0\nv 2 4 0\nv 4 4 0\nv 4 2 0\nf 1 2 3 4 1 5 6 7 8 5\n", "h.obj",
             from_the_front());
-        CHECK(scene.polygons.size() == 8);
+        CHECK(scene->polygons.size() == 8);
     }
 }
 

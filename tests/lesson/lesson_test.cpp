@@ -204,7 +204,9 @@ struct SquareLesson {
     }
 };
 
-Scene quads() { return test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build(); }
+AdmittedScene quads() {
+    return test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build();
+}
 
 }  // namespace
 
@@ -364,7 +366,7 @@ namespace {
 Surface crossing_lines() {
     const Curve near{{{0, 8}, {10, 6}, {20, 8}}};
     const Curve far{{{3, 13}, {12, 4}, {23, 15}}};
-    return {"", {{0, 0, 24, 16}, {near, far}}};
+    return {"", admit(CurveScene{{0, 0, 24, 16}, {near, far}})};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ ScenePolygon polygon_of(std::vector<glm::dvec3> vertices) { return {"P", {}, std
 
 std::string verdict(std::vector<glm::dvec3> vertices) {
     ScenePolygon polygon = polygon_of(std::move(vertices));
-    const Admitted admitted = admit(polygon);
+    const PolygonAdmission admitted = admit_polygon(polygon);
     if (admitted.admission == Admission::admitted && polygon.edge_on) return "edge-on";
     return std::string(reason_of(admitted.admission));
 }
@@ -65,7 +65,7 @@ TEST_CASE("convex outlines are admitted from every vertex and in both directions
 TEST_CASE("repeated and collinear vertices are allowed and stay") {
     check_all("admitted", {{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 4, 0}, {0, 4, 0}, {0, 2, 0}});
     ScenePolygon polygon = polygon_of({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 4, 0}});
-    CHECK(admit(polygon).dropped == 0);
+    CHECK(admit_polygon(polygon).dropped == 0);
     CHECK(polygon.vertices.size() == 5);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("a vertex reflex by at most 2^-40 of the extent is dropped") {
     for (const double h : {0x1p-1074, 0x1p-60, 0x1p-40}) {
         for (const auto& outline : turned(dented(h))) {
             ScenePolygon polygon = polygon_of(outline);
-            const Admitted admitted = admit(polygon);
+            const PolygonAdmission admitted = admit_polygon(polygon);
             CHECK(admitted.admission == Admission::admitted);
             CHECK(admitted.dropped == 1);
             CHECK(polygon.vertices.size() == 4);
@@ -149,7 +149,7 @@ TEST_CASE("many vertices reflex by rounding are dropped, but a deep dent is not 
         return outline;
     };
     ScenePolygon polygon = polygon_of(bay(0x1p-38));
-    CHECK(admit(polygon).dropped == 63);
+    CHECK(admit_polygon(polygon).dropped == 63);
     CHECK(polygon.vertices.size() == 4);
     // Each vertex is only 2^-36 / 64^2 = 2^-48 off its neighbours' chord, the middle one 2^-38 off the last chord.
     CHECK(verdict(bay(0x1p-36)) == "not convex");

@@ -77,7 +77,7 @@ TEST_CASE("With 24 bits, both methods and editions paint what `float` paints") {
     int pixels_that_differ_from_exact = 0;
     for (int i = 0; i < 300; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             const Picture picture = render<Corrected>(method, scene, Bits(24));
             CHECK(picture == render<Corrected>(method, scene, Float{}));
@@ -92,7 +92,7 @@ TEST_CASE("Fewer bits, more wrong pixels") {
     RandomScenes random(7);
     std::array<int, 4> wrong{};
     for (int i = 0; i < 200; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Picture expected = Reference(scene).picture();
         for (std::size_t knob = 0; knob < wrong.size(); ++knob) {
             const int bits = std::array{4, 8, 12, 24}[knob];
@@ -107,7 +107,7 @@ TEST_CASE("Fewer bits, more wrong pixels") {
 TEST_CASE("Four bits suffice for small whole coordinates, and a fifth distinguishes halves") {
     // A quad to the centre of the seventh column: 13/2 has four bits, 15/2 too, 17/2 five.
     const auto painted = [](int bits, double right) {
-        const Scene scene = SceneBuilder({0, 0, 12, 1}).quad(0, 0, right, 1, .5).build();
+        const AdmittedScene scene = SceneBuilder({0, 0, 12, 1}).quad(0, 0, right, 1, .5).build();
         const Picture picture = render(Method::zbuffer, scene, Bits(bits));
         return std::count(picture.pixels().begin(), picture.pixels().end(), color_of(0));
     };

@@ -132,7 +132,7 @@ TEST_CASE("the image of a planar polygon under any camera is admitted") {
         const ScenePolygon floor{"F", {}, {{-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, 9}}};
         for (ScenePolygon polygon : look(view, floor).polygons) {
             ++shown;
-            CHECK(admit(polygon).admission == Admission::admitted);
+            CHECK(admit_polygon(polygon).admission == Admission::admitted);
             for (const auto& vertex : polygon.vertices) {
                 CHECK((-3 - 1e-9 <= vertex.x && vertex.x <= 94 + 1e-9));
                 CHECK((5 - 1e-9 <= vertex.y && vertex.y <= 66 + 1e-9));

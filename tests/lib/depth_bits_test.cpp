@@ -55,7 +55,7 @@ TEST_CASE("Storing keeps the order, is idempotent, and is off by at most half a 
 TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
     // 4 bits store the rounded (z + 1) / 2 * 15: 11.25 for 0.5, 11.4 for 0.52, and 11.625, rounded to 12, for 0.55.
     const auto shown = [](double second, int bits) {
-        const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .5).quad(-1, -1, 17, 17, second).build();
+        const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .5).quad(-1, -1, 17, 17, second).build();
         return render(Method::zbuffer, scene, DepthBits(bits)).at(8, 8);
     };
     CHECK(shown(0.55, 4) == color_of(1));
@@ -65,7 +65,7 @@ TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
 
 TEST_CASE("The trace reports the depth that the buffer stores") {
     double told = 0;
-    const Scene scene = SceneBuilder({0, 0, 1, 1}).quad(-1, -1, 2, 2, 0).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 1, 1}).quad(-1, -1, 2, 2, 0).build();
     render(Method::zbuffer, scene, DepthBits(2), HearDepth(told));
     CHECK(told == doctest::Approx(1 / 3.));
 }

@@ -22,7 +22,7 @@ namespace {
 
 const Window window{4, 4, 4, 4};
 
-Scene scene_of(const Corners& vertices) { return SceneBuilder(area_16).polygon(vertices).build(); }
+AdmittedScene scene_of(const Corners& vertices) { return SceneBuilder(area_16).polygon(vertices).build(); }
 
 /// The relation to the window by both containment tests, and with the vertices in reverse order.
 template <class K>
@@ -152,11 +152,11 @@ Corners triangle_about(RandomScenes& random, const Window& about) {
 }
 
 template <class K, class Set>
-void check_relations(const Scene& scene, const Window& of, std::map<Relation, int>& found) {
+void check_relations(const AdmittedScene& scene, const Window& of, std::map<Relation, int>& found) {
     Stage<K, Set> stage(scene);
     const RelationReference reference(of);
     for (const auto& polygon : stage.run.polygons) {
-        const Relation expected = reference.of(stage.scene.polygons[std::size_t(polygon.index)]);
+        const Relation expected = reference.of(stage.scene->polygons[std::size_t(polygon.index)]);
         CHECK(Set::relation(stage.run, polygon, of) == expected);
         ++found[expected];
         if (const auto by_box = Set::box_test(stage.run, polygon, of)) CHECK(*by_box == expected);
@@ -173,13 +173,12 @@ TEST_CASE_TEMPLATE("Relation: all tests agree with the definition", K, Exact, Fi
     std::map<Relation, int> found;
     for (int i = 0; i < 1500; ++i) {
         CAPTURE(i);
-        Scene scene = random.scene();
-        const Window of = random_window(random, scene.area);
+        Scene drawn = random.scene();
+        const Window of = random_window(random, drawn.area);
         for (int more = 0; more < 3; ++more) {
-            ScenePolygon near{std::to_string(more), red, triangle_about(random, of)};
-            SceneBuilder::admitted(near);
-            scene.polygons.push_back(near);
+            drawn.polygons.push_back({std::to_string(more), red, triangle_about(random, of)});
         }
+        const AdmittedScene scene = admit(std::move(drawn));
         check_relations<K, family::Full>(scene, of, found);
         check_relations<K, family::Angles>(scene, of, found);
     }
@@ -195,17 +194,17 @@ TEST_CASE_TEMPLATE("Relation: all tests agree with the definition", K, Exact, Fi
 namespace {
 
 template <class Set, Kernel K>
-Picture painted(const Scene& scene, const K& kernel) {
+Picture painted(const AdmittedScene& scene, const K& kernel) {
     return render<Set>(Set::methods.front(), scene, kernel);
 }
 
 template <class Set>
-void check_paints(const Scene& scene, const Picture& expected) {
+void check_paints(const AdmittedScene& scene, const Picture& expected) {
     CHECK(different_pixels(painted<Set>(scene, Exact{}), expected) == 0);
     CHECK(different_pixels(painted<Set>(scene, Filtered{}), expected) == 0);
 }
 
-void check_picture_rule(const Scene& scene) {
+void check_picture_rule(const AdmittedScene& scene) {
     const Picture expected = Reference(scene).picture();
     check_paints<family::Simplest>(scene, expected);
     check_paints<family::Full>(scene, expected);
@@ -230,7 +229,7 @@ TEST_CASE("The variants paint their rules on each family of scenes, and when mov
         RandomPolygons random(std::mt19937(5));
         for (int i = 0; i < 15; ++i) {
             CAPTURE(i);
-            const Scene scene = random_scene(family, random);
+            const AdmittedScene scene = random_scene(family, random);
             check_picture_rule(scene);
             check_picture_rule(moved_by_ulps(scene, 2, random));
         }
@@ -268,11 +267,11 @@ TEST_CASE("The variants paint their rules on areas of any size and place") {
 }
 
 TEST_CASE_TEMPLATE("The variants paint a scene in which nothing rounds alike under every kernel", K, VIDNO_KERNELS) {
-    const Scene scene = SceneBuilder(area_16)
-                            .quad(2, 2, 10, 10, .25)
-                            .quad(6, 6, 14, 14, .5)
-                            .polygon({{0, 0, 0}, {16, 0, 0}, {0, 16, 0}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .quad(2, 2, 10, 10, .25)
+                                    .quad(6, 6, 14, 14, .5)
+                                    .polygon({{0, 0, 0}, {16, 0, 0}, {0, 16, 0}})
+                                    .build();
     const Picture expected = Reference(scene).picture();
     CHECK(painted<family::Simplest>(scene, K{}) == expected);
     CHECK(painted<family::Full>(scene, K{}) == expected);
@@ -297,7 +296,7 @@ struct CountSteps : NoTrace {
 };
 
 template <class Set, class K = Double>
-CountSteps::Counts steps_of(const Scene& scene) {
+CountSteps::Counts steps_of(const AdmittedScene& scene) {
     CountSteps::Counts counts;
     render<Set>(Set::methods.front(), scene, K{}, CountSteps(counts));
     return counts;
@@ -307,13 +306,13 @@ CountSteps::Counts steps_of(const Scene& scene) {
 
 TEST_CASE("Simplest: windows around a small polygon are split down to its pixel") {
     // On 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box lies.
-    const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(1.25, 1.25, 1.75, 1.75, 0).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(1.25, 1.25, 1.75, 1.75, 0).build();
     CHECK(steps_of<family::Simplest>(scene).windows == 1 + 4 + 4);
     CHECK_MESSAGE(steps_of<family::Full>(scene).windows == 1, "alone, it is drawn");
 }
 
 TEST_CASE("Simplest: even a window that one polygon surrounds is split") {
-    const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(-1, -1, 5, 5, 0).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(-1, -1, 5, 5, 0).build();
     CHECK(steps_of<family::Simplest>(scene).windows == 1 + 4 + 16);
     CHECK(steps_of<family::Full>(scene).windows == 1);
 }
@@ -324,7 +323,7 @@ TEST_CASE("Three lists: the near square before the far quad") {
     // The far quad surrounds the first window, so it is tested once. The square intersects only windows that hold a part of its outline:
     // the 4 of 8 x 8 on the first level, each with a corner of it. Their parts of 4 x 4 at most touch its sides, since it goes from 4 to
     // 12, so it surrounds each of them or is outside. 1 + 4 + 16 windows, with a test of the square in each.
-    const Scene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
     const auto steps = steps_of<family::Full>(scene);
     CHECK(steps.windows == 1 + 4 + 16);
     CHECK(steps.relations == 1 + (1 + 4 + 16));
@@ -377,8 +376,8 @@ struct WatchLists : NoTrace {
 };
 
 template <class Set>
-void check_lists(const Scene& scene, WatchLists::Lists& lists) {
-    lists.scene = &scene;
+void check_lists(const AdmittedScene& scene, WatchLists::Lists& lists) {
+    lists.scene = &*scene;
     lists.joined.clear();
     render<Set>(Set::methods.front(), scene, Filtered{}, WatchLists(lists));
 }
@@ -390,7 +389,7 @@ TEST_CASE("Three lists: they are right at every window, and no polygon of the fi
     WatchLists::Lists lists{};
     for (int i = 0; i < 150; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         check_lists<family::Full>(scene, lists);
         check_lists<family::AtVertex>(scene, lists);
     }
@@ -404,7 +403,7 @@ TEST_CASE("Three lists: they are right at every window, and no polygon of the fi
 namespace {
 
 template <class K>
-std::vector<Window> split_at_vertex(const Scene& scene, const Window& of) {
+std::vector<Window> split_at_vertex(const AdmittedScene& scene, const Window& of) {
     Stage<K, family::AtVertex> stage(scene);
     return family::AtVertex::split(stage.run, of, stage.all_active());
 }
@@ -429,7 +428,7 @@ TEST_CASE_TEMPLATE("VertexSplit: a boundary that is a side of the window does no
 
 TEST_CASE_TEMPLATE("VertexSplit: without a vertex in the window, in the middle", K, VIDNO_KERNELS) {
     // One vertex is outside, one on a side.
-    const Scene scene = scene_of({{-4, -4, 0}, {5, 3, 0}, {-4, 30, 0}});
+    const AdmittedScene scene = scene_of({{-4, -4, 0}, {5, 3, 0}, {-4, 30, 0}});
     const auto odd = split_at_vertex<K>(scene, {0, 3, 5, 1});
     CHECK(odd == std::vector<Window>{{0, 3, 2, 1}, {2, 3, 3, 1}});
     const auto upright = split_at_vertex<K>(scene, {0, 3, 1, 2});
@@ -438,7 +437,7 @@ TEST_CASE_TEMPLATE("VertexSplit: without a vertex in the window, in the middle",
 
 TEST_CASE("VertexSplit: fewer windows if a corner is not in the middle") {
     // Split at (3, 3), the four parts are simple. Split in the middle of 16, and of 8 and 4, the corner always is in one part.
-    const Scene scene = SceneBuilder(area_16).quad(3, 3, 20, 20, .5).quad(-1, -1, 17, 17, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(3, 3, 20, 20, .5).quad(-1, -1, 17, 17, 0).build();
     CHECK(steps_of<family::AtVertex>(scene).windows == 1 + 4);
     CHECK(steps_of<family::Full>(scene).windows > 1 + 4 + 4);
 }
@@ -502,7 +501,7 @@ TEST_CASE("Edge-on polygons: random ones through centres, before, behind and thr
             }
             builder.polygon(vertices);
         }
-        const Scene scene = builder.build();
+        const AdmittedScene scene = builder.build();
         const Picture expected = PictureVariation{.shows_edge_on = true}.picture(scene);
         check_paints<family::EdgeOn>(scene, expected);
         seen += different_pixels(expected, Reference(scene).picture());
@@ -514,7 +513,7 @@ TEST_CASE("Edge-on polygons: random ones through centres, before, behind and thr
 
 namespace {
 
-Scene scene_with(const Faces& faces) {
+AdmittedScene scene_with(const Faces& faces) {
     SceneBuilder builder(area_16);
     return add_body(builder, faces).build();
 }
@@ -586,7 +585,7 @@ TEST_CASE("Bodies: faces that look away may be removed") {
     int admitted = 0, removed = 0;
     for (int i = 0; i < 600; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         if (not_closed_convex_bodies(scene)) continue;
         ++admitted;
         check_paints<family::Bodies>(scene, PictureVariation{.front_before_back = true}.picture(scene));
@@ -606,7 +605,7 @@ TEST_CASE("Bodies: on the outline the face that looks towards the viewer wins, e
             if (looks_here(face) == here) builder.polygon(here ? "here" : "away", here ? green : red, face);
         }
     }
-    const Scene scene = builder.build();
+    const AdmittedScene scene = builder.build();
     REQUIRE_FALSE(not_closed_convex_bodies(scene).has_value());
     CHECK(render(Method::warnock, scene, Exact{}).at(2, 2) == red);
     CHECK(painted<family::Bodies>(scene, Exact{}).at(2, 2) == green);
@@ -614,7 +613,7 @@ TEST_CASE("Bodies: on the outline the face that looks towards the viewer wins, e
 }
 
 TEST_CASE("A procedure set refuses a method that it does not run") {
-    const Scene scene = SceneBuilder(area_16).quad(2, 2, 8, 8, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(2, 2, 8, 8, 0).build();
     CHECK_THROWS_AS(render(Method::warnock_full, scene, Double{}), std::invalid_argument);
     CHECK_THROWS_AS(render(Method::weiler_atherton, scene, Double{}), std::invalid_argument);
     CHECK_THROWS_AS(render<family::Full>(Method::warnock, scene, Double{}), std::invalid_argument);

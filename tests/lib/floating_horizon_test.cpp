@@ -36,16 +36,16 @@ Lines in_doubles(const auto& lines) {
 
 /// The visible lines of the last curve of a scene.
 template <class K, class Set = CorrectedFloatingHorizon>
-Lines last_lines(const CurveScene& scene) {
+Lines last_lines(const AdmittedCurves& scene) {
     Lines drawn = in_doubles(visible_lines<Set>(scene, K{}).lines);
-    std::erase_if(drawn, [&](const Drawn& line) { return line.curve != int(scene.curves.size()) - 1; });
+    std::erase_if(drawn, [&](const Drawn& line) { return line.curve != int(scene->curves.size()) - 1; });
     return drawn;
 }
 
 constexpr Area columns_17{0, 0, 17, 17};
 
 /// Level curves at 4 and 12, and one more: between them it is hidden.
-CurveScene between_4_and_12(std::vector<Sample> samples) {
+AdmittedCurves between_4_and_12(std::vector<Sample> samples) {
     return CurveSceneBuilder(columns_17)
         .curve({{0, 12}, {16, 12}})
         .curve({{0, 4}, {16, 4}})
@@ -55,7 +55,7 @@ CurveScene between_4_and_12(std::vector<Sample> samples) {
 
 /// The left edge of the first two curves, from (left, 12) to (left + 4, 4), is at 10, 8, 6 over the columns between. Behind it
 /// is the third curve, at 11; the edge that leads to this one, from (left + 4, 4) to (left - 1, 24), is at 16, 12, 8 there.
-CurveScene behind_an_edge(int left) {
+AdmittedCurves behind_an_edge(int left) {
     return CurveSceneBuilder(columns_17)
         .curve({{left, 12}, {12, 12}})
         .curve({{left + 4, 4}, {12, 4}})
@@ -66,10 +66,11 @@ CurveScene behind_an_edge(int left) {
 /// A run whose horizons a scene has raised, for calling single procedures.
 template <class K>
 struct FloatingHorizonStage {
-    CurveScene scene;
+    AdmittedCurves scene;
     FloatingHorizonRun<CorrectedFloatingHorizon, OnColumns<K>, NoTrace> run;
 
-    explicit FloatingHorizonStage(CurveScene given) : scene(std::move(given)), run(scene, OnColumns<K>{}, NoTrace{}) {
+    explicit FloatingHorizonStage(AdmittedCurves given)
+        : scene(std::move(given)), run(scene, OnColumns<K>{}, NoTrace{}) {
         CorrectedFloatingHorizon::floating_horizon(run);
     }
 
@@ -301,7 +302,7 @@ struct HearVisibility : NoTrace {
 };
 
 template <class K>
-auto seen_by(const CurveScene& scene) {
+auto seen_by(const AdmittedCurves& scene) {
     struct Seen {
         VisibleCurves<OnColumns<K>> result;
         std::vector<std::vector<bool>> visible;
@@ -331,10 +332,10 @@ void check_horizons(const auto& horizons, const FloatingHorizonReference& refere
 }
 
 /// Checks that the exact lines are the parts of the rule, cut at samples, none twice.
-void check_lines(const auto& lines, const FloatingHorizonReference& reference, const CurveScene& scene) {
-    std::vector<std::vector<FloatingHorizonReference::Interval>> drawn(scene.curves.size());
+void check_lines(const auto& lines, const FloatingHorizonReference& reference, const AdmittedCurves& scene) {
+    std::vector<std::vector<FloatingHorizonReference::Interval>> drawn(scene->curves.size());
     for (const auto& [segment, from, to] : lines) {
-        const Curve& curve = scene.curves[std::size_t(segment.curve)];
+        const Curve& curve = scene->curves[std::size_t(segment.curve)];
         CHECK(segment.from.x <= from.point.x);
         CHECK(from.point.x <= to.point.x);
         CHECK(to.point.x <= segment.to.x);
@@ -367,15 +368,15 @@ void check_same_lines(const auto& filtered, const auto& exact) {
     }
 }
 
-void check_against_rule(const CurveScene& scene, const FloatingHorizonReference& reference) {
+void check_against_rule(const AdmittedCurves& scene, const FloatingHorizonReference& reference) {
     const auto exact = seen_by<Exact>(scene);
     CHECK(exact.visible == visible_by(reference));
-    check_horizons(exact.result.horizons, reference, scene.area);
+    check_horizons(exact.result.horizons, reference, scene->area);
     check_lines(exact.result.lines, reference, scene);
 
     const auto filtered = seen_by<Filtered>(scene);
     CHECK(filtered.visible == exact.visible);
-    check_horizons(filtered.result.horizons, reference, scene.area);
+    check_horizons(filtered.result.horizons, reference, scene->area);
     check_same_lines(filtered.result.lines, exact.result.lines);
 }
 
@@ -386,7 +387,7 @@ TEST_CASE("Exact and filtered draw what the rule says, on thousands of random an
     int points = 0, cuts = 0, hidden = 0;
     for (int i = 0; i < 4000; ++i) {
         CAPTURE(i);
-        const CurveScene scene = random.scene();
+        const AdmittedCurves scene = random.scene();
         const FloatingHorizonReference reference(scene);
         check_against_rule(scene, reference);
         for (const auto& curve : reference.curves()) {
@@ -405,8 +406,7 @@ TEST_CASE("Next to coincidences: filtered is right, and double is not") {
     int wrong_in_double = 0;
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
-        CurveScene scene = random.scene();
-        move_by_ulps(scene, random);
+        const AdmittedCurves scene = moved_by_ulps(random.scene(), random);
         const FloatingHorizonReference reference(scene);
         check_against_rule(scene, reference);
         wrong_in_double += seen_by<Double>(scene).visible == visible_by(reference) ? 0 : 1;
@@ -446,7 +446,7 @@ TEST_CASE("Heights that overflow are still compared right") {
     const auto filtered = seen_by<Filtered>(scene);
     CHECK(filtered.visible == visible_by(reference));
     CHECK_FALSE(filtered.visible[2][2]);
-    check_horizons(filtered.result.horizons, reference, scene.area);
+    check_horizons(filtered.result.horizons, reference, scene->area);
     const auto& lines = filtered.result.lines;
     REQUIRE(lines.size() == 4);
     CHECK(lines[2].to.point.x.value == doctest::Approx(2));
@@ -561,7 +561,7 @@ TEST_CASE_TEMPLATE("X-H6: a segment from where both horizons meet to below them 
 TEST_CASE_TEMPLATE("The printed floating horizon runs to its end on all curves", K, VIDNO_PRINTED_KERNELS) {
     RandomCurves random(17);
     for (int i = 0; i < 300; ++i) {
-        const CurveScene scene = random.scene();
+        const AdmittedCurves scene = random.scene();
         CHECK_FALSE(visible_lines<PrintedFloatingHorizon>(scene, K{}).lines.empty());
     }
 }

@@ -13,7 +13,7 @@ using namespace vidno::test;
 
 namespace {
 
-void check_picture_rule(const Scene& scene, int bits) {
+void check_picture_rule(const AdmittedScene& scene, int bits) {
     const Picture expected = Reference(scene).picture();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         CHECK(different_pixels(render(method, scene, Grid(bits)), expected) == 0);
@@ -31,18 +31,18 @@ TEST_CASE("Snapping: to the nearest point of the grid, a tie away from 0") {
 }
 
 TEST_CASE("Snapping: a polygon on the grid stays whole, another one becomes a fan") {
-    const Scene scene = SceneBuilder({0, 0, 8, 8})
-                            .quad(1, 1, 6.5, 6, .5)
-                            .polygon({{1, 1, 0}, {7, 1.125, 0}, {7, 7, 0}, {1, 7, 0}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
+                                    .quad(1, 1, 6.5, 6, .5)
+                                    .polygon({{1, 1, 0}, {7, 1.125, 0}, {7, 7, 0}, {1, 7, 0}})
+                                    .build();
     const auto [halves, sources, to_halves] = snapped_scene(scene, 1);
     CHECK(sources == std::vector<std::size_t>{0, 1, 1});
-    REQUIRE(halves.polygons.size() == 3);
-    CHECK(halves.polygons[0] == scene.polygons[0]);
-    CHECK(halves.polygons[1].id == "B.1");
-    CHECK(halves.polygons[1].vertices == Corners{{1, 1, 0}, {7, 1, 0}, {7, 7, 0}});
-    CHECK(halves.polygons[2].id == "B.2");
-    CHECK(halves.polygons[2].vertices == Corners{{1, 1, 0}, {7, 7, 0}, {1, 7, 0}});
+    REQUIRE(halves->polygons.size() == 3);
+    CHECK(halves->polygons[0] == scene->polygons[0]);
+    CHECK(halves->polygons[1].id == "B.1");
+    CHECK(halves->polygons[1].vertices == Corners{{1, 1, 0}, {7, 1, 0}, {7, 7, 0}});
+    CHECK(halves->polygons[2].id == "B.2");
+    CHECK(halves->polygons[2].vertices == Corners{{1, 1, 0}, {7, 7, 0}, {1, 7, 0}});
     CHECK(to_halves.cut == 1);
     CHECK(to_halves.moved == 1);
     CHECK(to_halves.vertices == 4 + 3 + 3);
@@ -52,10 +52,10 @@ TEST_CASE("Snapping: a polygon on the grid stays whole, another one becomes a fa
 }
 
 TEST_CASE("Snapping: the changes in words") {
-    const Scene scene = SceneBuilder({0, 0, 8, 8})
-                            .polygon({{1, 1, 0x1p-25}, {7, 1, 0}, {4, 1.0625, 0}})
-                            .quad(1, 1, 6.75, 6, .5)
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
+                                    .polygon({{1, 1, 0x1p-25}, {7, 1, 0}, {4, 1.0625, 0}})
+                                    .quad(1, 1, 6.75, 6, .5)
+                                    .build();
     CHECK(snapped_scene(scene, 1).change() ==
           "cut 1 polygon into triangles; moved 5 of 9 vertices by at most 0.25 pixels and 2.98023e-08 in z; left 1 "
           "triangle "
@@ -79,7 +79,7 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
         const int bits = random.whole(1, 12);
         CAPTURE(i);
         CAPTURE(bits);
-        const Scene scene = snapped_scene(random.scene(), bits).scene;
+        const AdmittedScene scene = snapped_scene(random.scene(), bits).scene;
         check_picture_rule(scene, bits);
         wrong_in_double += different_pixels(render(Method::warnock, scene, Double{}), Reference(scene).picture());
     }
@@ -91,32 +91,32 @@ TEST_CASE("At the greatest width, ties and slivers are still decided right") {
     // pass through centres.
     const double step = 0x1p-20;
     const double deep = 0x1p-24;
-    const Scene scene = SceneBuilder({0, 0, 8, 8})
-                            .polygon({{0, 0, -1}, {8, 0, 1}, {8, 8, 1 - deep}})
-                            .polygon({{0, 0, -1}, {8, 0, 1}, {8, 8, 1}})
-                            .polygon({{.5, 0, 1}, {.5 + step, 8, 1}, {.5 - step, 8, 1}})
-                            .polygon({{0, 8, 1 - deep}, {8, step, 1}, {8, 2 * step, 1 - 2 * deep}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
+                                    .polygon({{0, 0, -1}, {8, 0, 1}, {8, 8, 1 - deep}})
+                                    .polygon({{0, 0, -1}, {8, 0, 1}, {8, 8, 1}})
+                                    .polygon({{.5, 0, 1}, {.5 + step, 8, 1}, {.5 - step, 8, 1}})
+                                    .polygon({{0, 8, 1 - deep}, {8, step, 1}, {8, 2 * step, 1 - 2 * deep}})
+                                    .build();
     REQUIRE(snapped_scene(scene, 20).change().empty());
     check_picture_rule(scene, 20);
 }
 
 TEST_CASE("An area far from the origin") {
     const double x = 1 << 30, y = -(1 << 30);
-    const Scene scene = SceneBuilder({1 << 30, -(1 << 30), 7, 9})
-                            .polygon({{x - 1, y, -.5}, {x + 6.25, y + 3.5, .5}, {x + 2.5, y + 8.5, 0}})
-                            .quad(x + 1, y + 1, x + 5.5, y + 5.5, 0)
-                            .build();
+    const AdmittedScene scene = SceneBuilder({1 << 30, -(1 << 30), 7, 9})
+                                    .polygon({{x - 1, y, -.5}, {x + 6.25, y + 3.5, .5}, {x + 2.5, y + 8.5, 0}})
+                                    .quad(x + 1, y + 1, x + 5.5, y + 5.5, 0)
+                                    .build();
     check_picture_rule(snapped_scene(scene, 8).scene, 8);
 }
 
 TEST_CASE("A grid too fine for the scene's width is refused, and the finest that fits is named") {
     // 2^24 steps of 1/2^15 are 512 pixels: one too many.
-    const Scene scene = SceneBuilder({0, 0, 512, 512}).polygon({{0, 0, 0}, {512, 0, 0}, {0, 512, 0}}).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 512, 512}).polygon({{0, 0, 0}, {512, 0, 0}, {0, 512, 0}}).build();
     CHECK(fits_grid(scene, 14));
     CHECK_THROWS_WITH_AS(snapped_scene(scene, 15),
                          "the scene is too wide for a grid of 1/2^15 pixel; grid:14 is the finest that fits", Refused);
-    const Scene wide = SceneBuilder({0, 0, 8, 8}).polygon({{0, 0, 0}, {0x1p40, 0, 0}, {0, 8, 0}}).build();
+    const AdmittedScene wide = SceneBuilder({0, 0, 8, 8}).polygon({{0, 0, 0}, {0x1p40, 0, 0}, {0, 8, 0}}).build();
     CHECK_THROWS_WITH_AS(snapped_scene(wide, 1), "the scene is too wide for a grid of 1/2^1 pixel; none fits", Refused);
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("The coarser the grid, the farther the picture from that of the scene 
     RandomScenes random(4);
     std::array<int, 3> wrong{};
     for (int i = 0; i < 200; ++i) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Picture expected = Reference(scene).picture();
         for (std::size_t knob = 0; knob < wrong.size(); ++knob) {
             const int bits = std::array{1, 3, 8}[knob];

@@ -30,7 +30,7 @@ std::vector<Deviation> all_mistakes() {
 }
 
 /// The picture that the mistake paints, by a method and under a kernel that run it.
-void for_each_picture(Deviation mistake, const Scene& scene, auto&& look) {
+void for_each_picture(Deviation mistake, const AdmittedScene& scene, auto&& look) {
     int looked = 0;
     for (std::size_t place = 0; place < method_names.size(); ++place) {
         const auto method = Method(place);
@@ -51,7 +51,9 @@ nlohmann::json entry_of(std::string_view name) {
     return nlohmann::json::parse(read_file(VIDNO_ROOT "/lessons/failures/mistake-" + std::string(name) + ".json"));
 }
 
-Scene witness(std::string_view name) { return read_scene(entry_of(name)["scene"].dump(), std::string(name)).scene; }
+AdmittedScene witness(std::string_view name) {
+    return read_scene(entry_of(name)["scene"].dump(), std::string(name)).scene;
+}
 
 /// A pixel and the polygon that is painted there; none: the background.
 struct Wrong {
@@ -59,17 +61,17 @@ struct Wrong {
     std::string shown;
 };
 
-Color color_of(const Scene& scene, const std::string& id) {
+Color color_of(const AdmittedScene& scene, const std::string& id) {
     const auto of_id = [&](const auto& polygon) { return polygon.id == id; };
-    const auto found = std::find_if(scene.polygons.begin(), scene.polygons.end(), of_id);
-    return found == scene.polygons.end() ? scene.background : found->color;
+    const auto found = std::find_if(scene->polygons.begin(), scene->polygons.end(), of_id);
+    return found == scene->polygons.end() ? scene->background : found->color;
 }
 
 /// Checks that the witness is right except at these pixels.
 void check_witness(Deviation mistake, std::initializer_list<Wrong> wrong) {
     const std::string name(choice_of(mistake).mistake);
     CAPTURE(name);
-    const Scene scene = witness(name);
+    const AdmittedScene scene = witness(name);
     const Picture right = Reference(scene).picture();
     Picture expected = right;
     for (const auto& [x, y, shown] : wrong) expected.paint(x, y, color_of(scene, shown));
@@ -80,21 +82,21 @@ void check_witness(Deviation mistake, std::initializer_list<Wrong> wrong) {
     });
 }
 
-void check_harmless(Deviation mistake, const Scene& scene) {
+void check_harmless(Deviation mistake, const AdmittedScene& scene) {
     const Picture right = Reference(scene).picture();
-    REQUIRE(right != Picture(scene.area, scene.background));
+    REQUIRE(right != Picture(scene->area, scene->background));
     for_each_picture(mistake, scene, [&](const Picture& painted, const auto&) { CHECK(painted == right); });
 }
 
 template <class Set>
-int windows_of(const Scene& scene) {
+int windows_of(const AdmittedScene& scene) {
     int count = 0;
     render<Set>(Set::methods.front(), scene, Exact{}, CountWindows(count));
     return count;
 }
 
 /// They overlap; all their coordinates are whole.
-Scene two_squares(double first_z, double second_z) {
+AdmittedScene two_squares(double first_z, double second_z) {
     return SceneBuilder(area_16).quad(1, 1, 9, 9, first_z).quad(5, 5, 14, 14, second_z).build();
 }
 
@@ -114,9 +116,9 @@ TEST_CASE("Depths not cleared: a polygon behind z = 0 never shows") {
     // z = x - 1: -1/2 at the centre of the first pixel, 1/2 at that of the second.
     check_witness(Deviation::depths_not_cleared, {{0, 0, ""}});
     // z = 0 itself is not nearer than 0.
-    const Scene level = SceneBuilder({0, 0, 1, 1}).quad(0, 0, 1, 1, 0).build();
+    const AdmittedScene level = SceneBuilder({0, 0, 1, 1}).quad(0, 0, 1, 1, 0).build();
     for_each_picture(Deviation::depths_not_cleared, level,
-                     [&](const Picture& painted, const auto&) { CHECK(painted.at(0, 0) == level.background); });
+                     [&](const Picture& painted, const auto&) { CHECK(painted.at(0, 0) == level->background); });
 }
 
 TEST_CASE("Depths not cleared: a polygon in front of z = 0 shows") {
@@ -137,7 +139,7 @@ TEST_CASE("y flipped: row 0 is at the bottom") {
     // The centre (1/2, 1/2) is held; upside down (0, 2), (2, 2), (0, 1) holds (1/2, 3/2).
     check_witness(Deviation::y_flipped, {{0, 0, ""}, {0, 1, "A"}});
     // The picture is flipped about the middle of the area: y becomes 20 + 24 - y.
-    const Scene moved = SceneBuilder({7, 20, 3, 4}).quad(7, 20, 9, 21, 0).build();
+    const AdmittedScene moved = SceneBuilder({7, 20, 3, 4}).quad(7, 20, 9, 21, 0).build();
     for_each_picture(Deviation::y_flipped, moved, [&](const Picture& painted, const auto&) {
         CHECK(painted == Reference(SceneBuilder({7, 20, 3, 4}).quad(7, 23, 9, 24, 0).build()).picture());
     });
@@ -169,12 +171,12 @@ TEST_CASE("Boundary outside: no centre lies on an outline of whole coordinates a
 TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both methods") {
     // Both squares have the side from (2, 5 1/2) to (9, 5 1/2): the centres of columns 2 to 8 of row 5 lie on it. Those of row 6
     // lie inside the lower one alone.
-    const Scene scene = SceneBuilder(area_16).quad(2, 1, 9, 5.5, 0).quad(2, 5.5, 9, 9, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(2, 1, 9, 5.5, 0).quad(2, 5.5, 9, 9, 0).build();
     for_each_picture(Deviation::boundary_outside, scene, [&](const Picture& painted, const auto&) {
         for (int x = 2; x < 9; ++x) {
-            CHECK(painted.at(x, 4) == scene.polygons[0].color);
-            CHECK(painted.at(x, 5) == scene.background);
-            CHECK(painted.at(x, 6) == scene.polygons[1].color);
+            CHECK(painted.at(x, 4) == scene->polygons[0].color);
+            CHECK(painted.at(x, 5) == scene->background);
+            CHECK(painted.at(x, 6) == scene->polygons[1].color);
         }
     });
 }
@@ -183,11 +185,11 @@ TEST_CASE("Integer division: only two of three columns are examined") {
     // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
     check_witness(Deviation::integer_division, {{2, 0, ""}});
     // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.
-    const Scene upright =
+    const AdmittedScene upright =
         SceneBuilder({0, 0, 1, 3}).polygon({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}).quad(0, 2, 1, 3, 0).build();
     for_each_picture(Deviation::integer_division, upright, [&](const Picture& painted, const auto&) {
-        CHECK(painted.at(0, 0) == upright.polygons[0].color);
-        CHECK(painted.at(0, 2) == upright.background);
+        CHECK(painted.at(0, 0) == upright->polygons[0].color);
+        CHECK(painted.at(0, 2) == upright->background);
     });
 }
 
@@ -236,7 +238,7 @@ TEST_CASE("Line for edge: windows are split in vain, and the picture is right") 
     // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). With both polygons the window
     // is split into its four pixels; A alone would be drawn at once.
     check_witness(Deviation::line_for_edge, {});
-    const Scene scene = witness("line-for-edge");
+    const AdmittedScene scene = witness("line-for-edge");
     CHECK(windows_of<mistakes::LineForEdge>(scene) == 1 + 4);
     CHECK(windows_of<family::Full>(scene) == 1);
 }
@@ -250,7 +252,7 @@ TEST_CASE(
         const bool is_of_variant = is_family(choice_of(mistake).methods.front());
         CHECK_MESSAGE(choice_of(mistake).advice.english.empty() == is_of_variant, "students write no variant");
         const auto entry = entry_of(name);
-        const Scene scene = witness(name);
+        const AdmittedScene scene = witness(name);
         const Picture right = Reference(scene).picture();
         CHECK(entry["fails"]["edition"] == name);
         CHECK(entry["holds"]["edition"] == "corrected");
@@ -268,7 +270,7 @@ TEST_CASE("Every mistake ends on every scene, and its trace agrees with its pict
     std::map<Deviation, int> differing, harmless;
     for (int i = 0; i < 40; ++i) {
         CAPTURE(i);
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const Picture right = Reference(scene).picture();
         for (const Deviation mistake : all_mistakes()) {
             CAPTURE(choice_of(mistake).mistake);

@@ -12,7 +12,7 @@ using namespace vidno::test;
 
 namespace {
 
-void check_picture_rule(const Scene& scene) {
+void check_picture_rule(const AdmittedScene& scene) {
     const Picture expected = Reference(scene).picture();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         CHECK(different_pixels(render(method, scene, Exact{}), expected) == 0);
@@ -50,7 +50,7 @@ TEST_CASE("A fan of triangles that share edges and a vertex covers without gaps"
                       {16, 16, 0}, {7.5, 17, 0}, {0, 16, 0}, {-1, 7.5, 0}};
     SceneBuilder builder(area_16);
     for (std::size_t i = 0; i < rim.size(); ++i) builder.polygon({hub, rim[i], rim[(i + 1) % rim.size()]});
-    const Scene scene = builder.build();
+    const AdmittedScene scene = builder.build();
     check_picture_rule(scene);
     const Picture picture = render(Method::zbuffer, scene, Exact{});
     CHECK(std::count(picture.pixels().begin(), picture.pixels().end(), white) == 0);
@@ -112,11 +112,11 @@ TEST_CASE("A quad that is planar only within the tolerance") {
 }
 
 TEST_CASE("Where rounding decides nothing, `float` and `double` paint the picture rule too") {
-    const Scene scene = SceneBuilder(area_16)
-                            .quad(2, 2, 10, 10, .25)
-                            .quad(6, 6, 14, 14, .5)
-                            .polygon({{0, 0, 0}, {16, 0, 0}, {0, 16, 0}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .quad(2, 2, 10, 10, .25)
+                                    .quad(6, 6, 14, 14, .5)
+                                    .polygon({{0, 0, 0}, {16, 0, 0}, {0, 16, 0}})
+                                    .build();
     const Picture expected = Reference(scene).picture();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         CHECK(render(method, scene, Double{}) == expected);

@@ -30,28 +30,28 @@ struct OnlyXW9 : Corrected {
     static auto list_for_part(const auto& list) { return Printed::list_for_part(list); }
 };
 
-Scene two_squares(bool near_first) {
+AdmittedScene two_squares(bool near_first) {
     SceneBuilder builder(area_16);
     return near_first ? builder.polygon(near_square).polygon(far_quad).build()
                       : builder.polygon(far_quad).polygon(near_square).build();
 }
 
 template <class Set, class K>
-int windows_of(const Scene& scene) {
+int windows_of(const AdmittedScene& scene) {
     int windows = 0;
     render<Set>(Method::warnock, scene, K{}, CountWindows(windows));
     return windows;
 }
 
 template <class Set, class K>
-int wrong_pixels(const Scene& scene) {
+int wrong_pixels(const AdmittedScene& scene) {
     return different_pixels(render<Set>(Method::warnock, scene, K{}), Reference(scene).picture());
 }
 
 }  // namespace
 
 TEST_CASE_TEMPLATE("X-W1: polygons outside a window are never removed", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene = two_squares(true);
+    const AdmittedScene scene = two_squares(true);
     CHECK(windows_of<Corrected, K>(scene) == 149);
     CHECK(windows_of<OnlyXW1, K>(scene) == 261);
     CHECK_MESSAGE((wrong_pixels<OnlyXW1, K>(scene) == 0), "the picture is the same");
@@ -59,14 +59,14 @@ TEST_CASE_TEMPLATE("X-W1: polygons outside a window are never removed", K, VIDNO
 
 TEST_CASE_TEMPLATE("X-W2: corner depths that start at 0 hide no polygon below", K, VIDNO_PRINTED_KERNELS) {
     // Every window is split: 1 + 4 + 16 + 64 + 256 = 341.
-    const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
     CHECK(windows_of<Corrected, K>(scene) == 1);
     CHECK(windows_of<OnlyXW2, K>(scene) == 341);
     CHECK(windows_of<Printed, K>(scene) == 341);
 }
 
 TEST_CASE_TEMPLATE("X-W3: a nearer polygon that does not surround is overlooked", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene = two_squares(false);
+    const AdmittedScene scene = two_squares(false);
     CHECK(wrong_pixels<Corrected, K>(scene) == 0);
     CHECK(wrong_pixels<OnlyXW3, K>(scene) == 64);
     CHECK(windows_of<OnlyXW3, K>(scene) == 1);
@@ -75,8 +75,9 @@ TEST_CASE_TEMPLATE("X-W3: a nearer polygon that does not surround is overlooked"
 
 TEST_CASE("X-W4: the search for the first sign runs past the end of the list") {
     // All three cross products are 0 as `double` computes them at (0, 0); the polygon is not edge-on.
-    const Scene scene = SceneBuilder(area_16).polygon({{6.1, .61, 0}, {8.4, .8400000000000001, 0}, {2, .2, 0}}).build();
-    REQUIRE_FALSE(scene.polygons[0].edge_on);
+    const AdmittedScene scene =
+        SceneBuilder(area_16).polygon({{6.1, .61, 0}, {8.4, .8400000000000001, 0}, {2, .2, 0}}).build();
+    REQUIRE_FALSE(scene->polygons[0].edge_on);
     Stage<Double> rounded(scene);
     CHECK_THROWS_AS(Printed::surround_test(rounded.run, rounded.point(0, 0), rounded.polygon()), Fault);
     CHECK_FALSE(Corrected::surround_test(rounded.run, rounded.point(0, 0), rounded.polygon()));
@@ -86,11 +87,11 @@ TEST_CASE("X-W4: the search for the first sign runs past the end of the list") {
 
 TEST_CASE("X-W5: halving an area that is no power of two ends inside pixels") {
     const auto wrong = [](int side, auto set) {
-        const Scene scene = SceneBuilder({0, 0, side, side})
-                                .polygon(far_quad)
-                                .polygon(near_square)
-                                .polygon({{1, 1, .7}, {14, 2, .2}, {5, 13, .9}})
-                                .build();
+        const AdmittedScene scene = SceneBuilder({0, 0, side, side})
+                                        .polygon(far_quad)
+                                        .polygon(near_square)
+                                        .polygon({{1, 1, .7}, {14, 2, .2}, {5, 13, .9}})
+                                        .build();
         return wrong_pixels<decltype(set), Exact>(scene);
     };
     for (const int side : {16, 15, 10}) CHECK(wrong(side, Corrected{}) == 0);
@@ -100,20 +101,20 @@ TEST_CASE("X-W5: halving an area that is no power of two ends inside pixels") {
 }
 
 TEST_CASE_TEMPLATE("X-W6: three collinear vertices give no plane", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene =
+    const AdmittedScene scene =
         SceneBuilder({0, 0, 2, 2}).polygon({{0, 0, 0}, {1, 1, .125}, {2, 2, .25}, {0, 2, .875}}).build();
     const auto plane = Stage<K, Printed>(scene).polygon().plane;
     CHECK(plane.a == 0);
     CHECK(plane.b == 0);
     CHECK(plane.c == 0);
     CHECK(plane.d == 0);
-    CHECK(render<Printed>(Method::warnock, scene, K{}) == Picture(scene.area, white));
+    CHECK(render<Printed>(Method::warnock, scene, K{}) == Picture(scene->area, white));
     CHECK(render(Method::warnock, scene, K{}).at(0, 1) == color_of(0));
 }
 
 TEST_CASE("X-W7: the product of two small cross products underflows") {
     // At the window's left side the products are +-16e-170, their product -2.56e-338 is 0 in binary64.
-    const Scene scene = SceneBuilder(area_16).quad(-1e-170, 1, 1e-170, 2, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(-1e-170, 1, 1e-170, 2, 0).build();
     const auto clipped = [&]<class Set>(Set) {
         Stage<Double, Set> stage(scene);
         return Set::polygon_clip(stage.run, stage.polygon(), Window{0, 0, 16, 16}).size();
@@ -124,8 +125,8 @@ TEST_CASE("X-W7: the product of two small cross products underflows") {
 
 TEST_CASE("X-W8: a polygon exactly edge-on has a computed c that is not 0") {
     const Corners line{{2.3, 5.6, 0}, {4.3, 7.35, 1}, {6.3, 9.1, 0}};
-    const Scene scene = SceneBuilder(area_16).polygon(line).build();
-    REQUIRE(scene.polygons[0].edge_on);
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(line).build();
+    REQUIRE(scene->polygons[0].edge_on);
     Stage<Double, Printed> stage(scene);
     CHECK(stage.polygon().plane.c != 0);
     CHECK(Printed::takes_part(stage.run, stage.polygon()));
@@ -134,7 +135,7 @@ TEST_CASE("X-W8: a polygon exactly edge-on has a computed c that is not 0") {
 }
 
 TEST_CASE_TEMPLATE("X-W9: one list for all windows", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene = two_squares(false);
+    const AdmittedScene scene = two_squares(false);
     CHECK(windows_of<OnlyXW9, K>(scene) == 13);
     CHECK(wrong_pixels<OnlyXW9, K>(scene) == 64);
 }

@@ -13,7 +13,7 @@ using namespace vidno::test;
 namespace {
 
 template <class Set, class K>
-HearFaults::Heard faults_of(const Scene& scene) {
+HearFaults::Heard faults_of(const AdmittedScene& scene) {
     HearFaults::Heard heard;
     render<Set>(Method::zbuffer, scene, K{}, HearFaults(heard));
     return heard;
@@ -26,7 +26,7 @@ struct CountMisses : NoTrace {
 };
 
 template <class Set>
-int rejected_lines(const Scene& scene) {
+int rejected_lines(const AdmittedScene& scene) {
     int misses = 0;
     render<Set>(Method::zbuffer, scene, Double{}, CountMisses(misses));
     return misses;
@@ -37,7 +37,7 @@ int rejected_lines(const Scene& scene) {
 namespace {
 
 template <class K>
-void check_missing_partner(const Scene& scene) {
+void check_missing_partner(const AdmittedScene& scene) {
     const auto heard = faults_of<Printed, K>(scene);
     CHECK(heard.at == Line::Z14);
     CHECK(heard.reason == "the last entry of AEL has no partner");
@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("X-Z1: the same with a level top, where no division by zero c
 
 TEST_CASE("X-Z2: a line outside the area is never rejected") {
     // 8 rows, all right of the area.
-    const Scene scene = SceneBuilder(area_16).quad(20, 0, 30, 8, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(20, 0, 30, 8, 0).build();
     CHECK(rejected_lines<Corrected>(scene) == 8);
     CHECK(rejected_lines<Printed>(scene) == 0);
 }
@@ -67,7 +67,7 @@ TEST_CASE("X-Z2: a line outside the area is never rejected") {
 TEST_CASE_TEMPLATE("X-Z3: the row and the column past the area are painted", K, VIDNO_PRINTED_KERNELS) {
     // y = 0 .. 4 and x = 0 .. 4 of a 4 x 4 area: 25 pixels, 9 of them outside. Row 0 is shown a second time, for the
     // level edge at its top; its fifth pixel is outside once more. On row 4 nothing but the level edge is left.
-    const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(0, 0, 4, 4, 0).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(0, 0, 4, 4, 0).build();
     CHECK(faults_of<Printed, K>(scene).count == 10);
     CHECK(faults_of<Printed, K>(scene).at == Line::L6);
     CHECK(faults_of<Corrected, K>(scene).count == 0);
@@ -86,7 +86,7 @@ struct HearFirstSlope : NoTrace {
 }  // namespace
 
 TEST_CASE("X-Z4: the span of one point at a triangle's tip divides by zero") {
-    const Scene scene = SceneBuilder(area_16).polygon({{8, 1, .5}, {12, 9, .5}, {4, 9, .5}}).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon({{8, 1, .5}, {12, 9, .5}, {4, 9, .5}}).build();
     std::optional<double> slope;
     render<Printed>(Method::zbuffer, scene, Double{}, HearFirstSlope(slope));
     REQUIRE(slope.has_value());
@@ -95,14 +95,14 @@ TEST_CASE("X-Z4: the span of one point at a triangle's tip divides by zero") {
     CHECK(exact.at == Line::L3);
     CHECK(exact.reason == "division by zero");
     slope.reset();
-    const Scene on_centre = SceneBuilder(area_16).polygon({{8.5, 1.5, .5}, {12, 9, .5}, {4, 9, .5}}).build();
+    const AdmittedScene on_centre = SceneBuilder(area_16).polygon({{8.5, 1.5, .5}, {12, 9, .5}, {4, 9, .5}}).build();
     render(Method::zbuffer, on_centre, Double{}, HearFirstSlope(slope));
     CHECK_MESSAGE(slope == 0, "corrected: a span of one point has no slope");
 }
 
 TEST_CASE_TEMPLATE("X-Z5: a span starts at its end, not at a pixel centre", K, VIDNO_PRINTED_KERNELS) {
     // x = 1.75 and 2.75 fall into the pixels 1 and 2; of the centres only 2.5 lies between 1.75 and 3.25.
-    const Scene scene = SceneBuilder({0, 0, 5, 3}).quad(1.75, .5, 3.25, 1.5, 0).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 5, 3}).quad(1.75, .5, 3.25, 1.5, 0).build();
     const Picture printed = render<Printed>(Method::zbuffer, scene, K{});
     const Picture corrected = render(Method::zbuffer, scene, K{});
     CHECK(printed.at(1, 0) == color_of(0));
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("X-Z5: a span starts at its end, not at a pixel centre", K, V
 
 TEST_CASE("X-Z6: where doubles are 2 apart, y + 1 is y") {
     const double far = 9007199254740992;  // 2^53
-    const Scene scene = SceneBuilder(area_16).quad(0, far, 16, far + 16, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(0, far, 16, far + 16, 0).build();
     const auto heard = faults_of<Printed, Double>(scene);
     CHECK(heard.at == Line::Z15);
     CHECK(faults_of<Corrected, Double>(scene).count == 0);
@@ -120,7 +120,7 @@ TEST_CASE("X-Z6: where doubles are 2 apart, y + 1 is y") {
 }
 
 TEST_CASE_TEMPLATE("X-Z7: the last polygon wins a tie", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene = SceneBuilder(area_16).quad(2, 2, 10, 10, 0).quad(6, 6, 14, 14, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(2, 2, 10, 10, 0).quad(6, 6, 14, 14, 0).build();
     const Picture warnock = render(Method::warnock, scene, K{});
     CHECK(render(Method::zbuffer, scene, K{}) == warnock);
     CHECK(warnock.at(8, 8) == color_of(0));
@@ -145,7 +145,7 @@ struct LastNext : NoTrace {
 }  // namespace
 
 TEST_CASE_TEMPLATE("X-Z8: an empty AEL has no least element, and the run goes on", K, VIDNO_PRINTED_KERNELS) {
-    const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).build();
     bool none = false;
     render<Printed>(Method::zbuffer, scene, K{}, LastNext(none));
     CHECK(none);

@@ -14,7 +14,7 @@ TEST_CASE_TEMPLATE("Sufficient: the lists of the Warnock family", K, Double, Fil
     int compared = 0;
     for (int i = 0; i < 25; ++i) {
         CAPTURE(i);
-        const Scene scene = i == 0 ? small_scene() : random.scene();
+        const AdmittedScene scene = i == 0 ? small_scene() : random.scene();
         for (std::size_t place = 0; place < method_names.size(); ++place) {
             const auto method = Method(place);
             if (!is_family(method)) continue;

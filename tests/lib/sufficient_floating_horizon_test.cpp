@@ -40,7 +40,7 @@ public:
 
 private:
     void compare() {
-        const Area& area = rebuilt_->state.header().scene.curves.area;
+        const Area& area = rebuilt_->state.header().scene.curves->area;
         for (int x = area.x; x < area.right(); ++x) {
             const auto column = std::size_t(x - area.x);
             expect(own_->upper[x], rebuilt_->state.upper()[column]);
@@ -55,13 +55,13 @@ private:
 };
 
 template <class Set, class K>
-void check_rebuilt(const CurveScene& scene) {
+void check_rebuilt(const AdmittedCurves& scene) {
     constexpr Edition edition = std::same_as<Set, PrintedFloatingHorizon> ? Edition::printed : Edition::corrected;
     for (const Detail detail : {Detail::polygons, Detail::signs}) {
         const FloatingHorizonHeader header{edition, std::string(K::name), detail, {"", scene}};
         Rebuilt<FloatingHorizonState> rebuilt(header);
         const auto own = visible_lines<Set>(scene, K{}, CompareHorizons<K>(rebuilt)).lines;
-        CHECK(rebuilt.compared >= 2 * scene.area.width);
+        CHECK(rebuilt.compared >= 2 * scene->area.width);
         CHECK(rebuilt.different == 0);
         CHECK(rebuilt.state.calls().size() == 1);
         REQUIRE(rebuilt.state.lines().size() == own.size());
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("Sufficient: lines and horizons rebuilt from the events are t
     RandomCurves random(19);
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
-        const CurveScene scene = i == 0 ? some_curves() : random.scene();
+        const AdmittedCurves scene = i == 0 ? some_curves() : random.scene();
         check_rebuilt<CorrectedFloatingHorizon, K>(scene);
         if constexpr (PrintedKernel<K>) check_rebuilt<PrintedFloatingHorizon, K>(scene);
     }

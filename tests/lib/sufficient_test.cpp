@@ -13,7 +13,7 @@ TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorit
     int compared = 0;
     for (int i = 0; i < 25; ++i) {
         CAPTURE(i);
-        const Scene scene = scene_for<K>(i == 0 ? small_scene() : random.scene());
+        const AdmittedScene scene = scene_for<K>(i == 0 ? small_scene() : random.scene());
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             compared += check_rebuilt<K, Corrected>(scene, method);
             if constexpr (PrintedKernel<K>) compared += check_rebuilt<K, Printed>(scene, method);

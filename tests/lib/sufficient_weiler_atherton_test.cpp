@@ -57,7 +57,7 @@ private:
 };
 
 /// Three bars, each over the next.
-Scene cycle() {
+AdmittedScene cycle() {
     return SceneBuilder(area_16)
         .quad(1, 2, 15, 5, .5)
         .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE(
     int compared = 0;
     for (int i = 0; i < 40; ++i) {
         CAPTURE(i);
-        const Scene scene = i == 0 ? cycle() : random.scene();
+        const AdmittedScene scene = i == 0 ? cycle() : random.scene();
         Rebuilt<State> rebuilt(
             TraceHeader{Method::weiler_atherton, Edition::corrected, std::string(K::name), Detail::polygons, scene});
         const auto visible = visible_regions(scene, K{}, CompareRegions<K>(rebuilt));

@@ -17,7 +17,9 @@ namespace {
 // z = (x + y) / 16 over the triangle below the diagonal.
 const Corners tilted_triangle{{0, 0, 0}, {8, 0, .5}, {0, 8, .5}};
 
-Scene scene_of(const Corners& vertices, Area area = area_16) { return SceneBuilder(area).polygon(vertices).build(); }
+AdmittedScene scene_of(const Corners& vertices, Area area = area_16) {
+    return SceneBuilder(area).polygon(vertices).build();
+}
 
 std::array<double, 4> coefficients(const auto& plane) {
     return {as_double(plane.a), as_double(plane.b), as_double(plane.c), as_double(plane.d)};
@@ -197,7 +199,7 @@ TEST_CASE_TEMPLATE("ProcessWindow: a single polygon inside the window", K, VIDNO
 
 TEST_CASE_TEMPLATE("Warnock: the near square before the far quad", K, VIDNO_KERNELS) {
     // An independent run of the procedure in exact fractions counted 149 windows (procedures' table, X-W1).
-    const Scene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
     int windows = 0;
     const Picture picture = render(Method::warnock, scene, K{}, CountWindows(windows));
     CHECK(windows == 149);
@@ -223,14 +225,14 @@ TEST_CASE_TEMPLATE("Warnock: one window for a scene without polygons or with one
           Picture(area_16, white));
     CHECK(windows == 1);
     windows = 0;
-    const Scene covered = SceneBuilder(area_16).polygon(far_quad).build();
+    const AdmittedScene covered = SceneBuilder(area_16).polygon(far_quad).build();
     CHECK(render(Method::warnock, covered, K{}, CountWindows(windows)) == Picture(area_16, color_of(0)));
     CHECK(windows == 1);
 }
 
 TEST_CASE_TEMPLATE("Warnock: depths below 0 hide like others", K, VIDNO_KERNELS) {
     // The nearer quad surrounds the first window and is nearest at its corners: nothing is split (X-W2: 1 window).
-    const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
+    const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
     int windows = 0;
     CHECK(render(Method::warnock, scene, K{}, CountWindows(windows)) == Picture(area_16, color_of(0)));
     CHECK(windows == 1);

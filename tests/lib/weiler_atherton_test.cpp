@@ -44,15 +44,15 @@ struct HearPassages : NoTrace {
 /// A run for calling single procedures.
 template <class K>
 struct WeilerAthertonStage {
-    Scene scene;
+    AdmittedScene scene;
     Picture picture;
     Places entered, left;
     WeilerAthertonRun<CorrectedWeilerAtherton, OnRegions<K>, HearPassages> run;
     using Piece = typename decltype(run)::Piece;
 
-    explicit WeilerAthertonStage(Scene given)
+    explicit WeilerAthertonStage(AdmittedScene given)
         : scene(std::move(given)),
-          picture(scene.area, scene.background),
+          picture(scene->area, scene->background),
           run(scene, OnRegions<K>{}, HearPassages(entered, left), picture) {}
 
     auto part_in_area(std::size_t index) {
@@ -78,7 +78,7 @@ std::map<int, double> visible_areas(const auto& regions) {
     return areas;
 }
 template <class K>
-std::map<int, double> visible_areas(const Scene& scene) {
+std::map<int, double> visible_areas(const AdmittedScene& scene) {
     return visible_areas(visible_regions(scene, K{}).regions);
 }
 
@@ -285,36 +285,37 @@ TEST_CASE_TEMPLATE("Cyclic overlap of three bars", K, VIDNO_REGION_KERNELS) {
     // The level bar is over the slanted one, x - y from 2 to 4, where z = y / 16 <= 5/16; that is over the upright one for y >= 7,
     // where z = 1 - 3 y / 32 <= 11/32; and that over the level one for y <= 5, where z >= 17/32. The bars have 14 * 3 = 42,
     // 14 * 3 = 42 and 2 * 12 = 24; 3 * 3 = 9 of the level one are hidden, 2 * 3 = 6 of the upright and of the slanted one.
-    const Scene scene = SceneBuilder(area_16)
-                            .quad(1, 2, 15, 5, .5)
-                            .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
-                            .polygon({{2, 0, 0}, {4, 0, 0}, {16, 12, .75}, {14, 12, .75}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .quad(1, 2, 15, 5, .5)
+                                    .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
+                                    .polygon({{2, 0, 0}, {4, 0, 0}, {16, 12, .75}, {14, 12, .75}})
+                                    .build();
     CHECK(visible_areas<K>(scene) == std::map<int, double>{{0, 33}, {1, 36}, {2, 18}});
 }
 
 TEST_CASE_TEMPLATE("Two triangles that pierce each other", K, VIDNO_REGION_KERNELS) {
     // z = x / 16 and z = 1 - x / 16 meet at x = 8. Both have 16 * 8 / 2 = 64. At x they are 8 - x / 2 and x / 2 wide, about y = 8:
     // left of the line the second hides 8 * 4 / 2 = 16 of the first, right of it the first as much of the second.
-    const Scene scene = SceneBuilder(area_16)
-                            .polygon({{0, 4, 0}, {16, 8, 1}, {0, 12, 0}})
-                            .polygon({{16, 4, 0}, {0, 8, 1}, {16, 12, 0}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .polygon({{0, 4, 0}, {16, 8, 1}, {0, 12, 0}})
+                                    .polygon({{16, 4, 0}, {0, 8, 1}, {16, 12, 0}})
+                                    .build();
     CHECK(visible_areas<K>(scene) == std::map<int, double>{{0, 48}, {1, 48}});
 }
 
 TEST_CASE_TEMPLATE("The first of equal polygons shows, and edge-on ones do not", K, VIDNO_REGION_KERNELS) {
-    const Scene scene = SceneBuilder(area_16)
-                            .polygon({{0, 0, 1}, {16, 16, 1}, {8, 8, -1}})
-                            .polygon(near_square)
-                            .polygon(near_square)
-                            .quad(8, 8, 14, 14, .5)
-                            .build();
+    const AdmittedScene scene = SceneBuilder(area_16)
+                                    .polygon({{0, 0, 1}, {16, 16, 1}, {8, 8, -1}})
+                                    .polygon(near_square)
+                                    .polygon(near_square)
+                                    .quad(8, 8, 14, 14, .5)
+                                    .build();
     CHECK(visible_areas<K>(scene) == std::map<int, double>{{1, 64}, {3, 20}});
 }
 
 TEST_CASE_TEMPLATE("No polygons, or none in the area: no regions", K, VIDNO_REGION_KERNELS) {
-    for (const Scene& scene : {SceneBuilder(area_16).build(), SceneBuilder(area_16).quad(16, 0, 20, 4, 0).build()}) {
+    for (const AdmittedScene& scene :
+         {SceneBuilder(area_16).build(), SceneBuilder(area_16).quad(16, 0, 20, 4, 0).build()}) {
         const auto visible = visible_regions(scene, K{});
         CHECK(visible.regions.empty());
         CHECK(visible.picture == Picture(area_16, white));
@@ -324,7 +325,7 @@ TEST_CASE_TEMPLATE("No polygons, or none in the area: no regions", K, VIDNO_REGI
 TEST_CASE_TEMPLATE("The picture: outlines through centres belong to the nearest, then to the first", K,
                    VIDNO_REGION_KERNELS) {
     SUBCASE("the outline of a hole belongs to the polygon in it, a common edge to the first polygon") {
-        const Scene scene =
+        const AdmittedScene scene =
             SceneBuilder({0, 0, 4, 4}).quad(0, 0, 2.5, 4, 0).quad(2.5, 0, 4, 4, 0).quad(.5, .5, 1.5, 1.5, .5).build();
         const Picture picture = visible_regions(scene, K{}).picture;
         for (int y = 0; y < 4; ++y) {
@@ -345,10 +346,10 @@ TEST_CASE_TEMPLATE("The picture: outlines through centres belong to the nearest,
         }
     }
     SUBCASE("so does one that touches from behind in the middle of a region") {
-        const Scene scene = SceneBuilder({0, 0, 4, 4})
-                                .polygon({{1.5, .5, .5}, {3.5, .5, 0}, {1.5, 2.5, .5}})
-                                .quad(0, 0, 4, 4, .5)
-                                .build();
+        const AdmittedScene scene = SceneBuilder({0, 0, 4, 4})
+                                        .polygon({{1.5, .5, .5}, {3.5, .5, 0}, {1.5, 2.5, .5}})
+                                        .quad(0, 0, 4, 4, .5)
+                                        .build();
         const auto visible = visible_regions(scene, K{});
         CHECK(visible_areas(visible.regions) == std::map<int, double>{{1, 16}});
         for (int y = 0; y < 4; ++y) {
@@ -387,10 +388,10 @@ TEST_CASE("A run of Weiler and Atherton's algorithm reports each line of the lis
     // inside the second one's outline becomes a list with both, and the rest of the second outside the first becomes a separate list.
     // Their planes meet at x = 3/2, where the first is not, so they need not be clipped for that.
     std::string heard;
-    const Scene scene = SceneBuilder({0, 0, 2, 1})
-                            .quad(0, 0, 1, 1, .375)
-                            .polygon({{0, 0, 0}, {2, 0, .5}, {2, 1, .5}, {0, 1, 0}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 2, 1})
+                                    .quad(0, 0, 1, 1, .375)
+                                    .polygon({{0, 0, 0}, {2, 0, .5}, {2, 1, .5}, {0, 1, 0}})
+                                    .build();
     visible_regions(scene, Double{}, HearLabels(heard));
     CHECK(heard ==
           "WA1 WA1 WA2 DS1 DS1 WA3 WA3 "
@@ -402,12 +403,12 @@ TEST_CASE("A run of Weiler and Atherton's algorithm reports each line of the lis
 namespace {
 
 /// A backdrop behind all, so that the regions fill the area.
-Scene before_backdrop(Scene scene) {
+AdmittedScene before_backdrop(Scene scene) {
     const double left = scene.area.x, right = scene.area.right(), top = scene.area.y, bottom = scene.area.bottom();
     ScenePolygon backdrop{
         "backdrop", white, {{left, top, -1}, {right, top, -1}, {right, bottom, -1}, {left, bottom, -1}}};
     scene.polygons.push_back(backdrop);
-    return scene;
+    return admit(std::move(scene));
 }
 
 /// Does a region hold a point that is on none of its edges? By the winding number, in rationals.
@@ -430,23 +431,23 @@ bool holds_point(const auto& outlines, const Rational& x, const Rational& y) {
 constexpr double sample_step = 0x1p-20;
 
 /// Checks that random points of the area lie in exactly one region, that of the polygon which the rule shows there.
-void check_samples(const auto& regions, const Scene& scene, const Reference& reference, std::mt19937& random) {
+void check_samples(const auto& regions, const AdmittedScene& scene, const Reference& reference, std::mt19937& random) {
     // Odd multiples, so that level and vertical edges pass between them.
     const auto between = [&](int low, int size) {
         return low + int(random() % unsigned(size << 19)) * 0x1p-19 + sample_step;
     };
     for (int i = 0; i < 10; ++i) {
-        const double x = between(scene.area.x, scene.area.width), y = between(scene.area.y, scene.area.height);
+        const double x = between(scene->area.x, scene->area.width), y = between(scene->area.y, scene->area.height);
         std::vector<Color> found;
         for (const auto& [polygon, outlines] : regions) {
-            if (holds_point(outlines, x, y)) found.push_back(scene.polygons[std::size_t(polygon)].color);
+            if (holds_point(outlines, x, y)) found.push_back(scene->polygons[std::size_t(polygon)].color);
         }
         CHECK(found == std::vector{reference.color_at(x, y)});
     }
 }
 
 template <class K>
-void check_against_rule(const Scene& scene, const Reference& reference, std::mt19937& random) {
+void check_against_rule(const AdmittedScene& scene, const Reference& reference, std::mt19937& random) {
     const auto visible = visible_regions(scene, K{});
     CHECK(different_pixels(visible.picture, reference.picture()) == 0);
     Rational total = 0;
@@ -455,18 +456,18 @@ void check_against_rule(const Scene& scene, const Reference& reference, std::mt1
         CHECK(area > 0);
         total += area;
     }
-    CHECK(total == scene.area.width * scene.area.height);
+    CHECK(total == scene->area.width * scene->area.height);
     check_samples(visible.regions, scene, reference, random);
 }
 
-void check_both(const Scene& given, std::mt19937& random) {
-    const Scene scene = before_backdrop(given);
+void check_both(const AdmittedScene& given, std::mt19937& random) {
+    const AdmittedScene scene = before_backdrop(given);
     const Reference reference(scene, sample_step);
     check_against_rule<Exact>(scene, reference, random);
     check_against_rule<Filtered>(scene, reference, random);
 }
 
-std::size_t wrong_pixels(const Scene& scene, auto kernel) {
+std::size_t wrong_pixels(const AdmittedScene& scene, auto kernel) {
     return different_pixels(visible_regions(scene, kernel).picture, Reference(scene).picture());
 }
 
@@ -487,10 +488,10 @@ TEST_CASE("Next to coincidences: filtered and exact are right, and double is not
     std::size_t wrong_in_double = 0;
     for (int i = 0; i < 400; ++i) {
         CAPTURE(i);
-        Scene scene = random.scene();
-        if (!moved_by_ulps(scene, random)) continue;
-        check_both(scene, samples);
-        wrong_in_double += wrong_pixels(scene, Double{});
+        const auto scene = moved_by_ulps(random.scene(), random);
+        if (!scene) continue;
+        check_both(*scene, samples);
+        wrong_in_double += wrong_pixels(*scene, Double{});
     }
     CHECK(wrong_in_double > 0);
 }
@@ -577,10 +578,10 @@ TEST_CASE_TEMPLATE("A constructed number is shown as the double nearest to it", 
     // From x = -2^20, the edge y = 1 + 3x/4 of the nearer triangle meets two edges of the other one, which leave its vertex (4, 2), at
     // (36/11, 38/11) and (20/7, 22/7): the vectors (-8, 16)/11 and (-8, 8)/7 there span a triangle of area 64/77/2.
     const double x = -1048576;
-    const Scene scene = SceneBuilder({int(x), 0, 4, 4})
-                            .polygon({{x + 3, 4, 0}, {x + 4, 2, 0}, {x + 2, 4, 0}})
-                            .polygon({{x + 1, 4, .5}, {x + 4, 4, .5}, {x, 1, .5}})
-                            .build();
+    const AdmittedScene scene = SceneBuilder({int(x), 0, 4, 4})
+                                    .polygon({{x + 3, 4, 0}, {x + 4, 2, 0}, {x + 2, 4, 0}})
+                                    .polygon({{x + 1, 4, .5}, {x + 4, 4, .5}, {x, 1, .5}})
+                                    .build();
     CHECK(visible_areas<K>(scene).at(0) == 32. / 77);
 }
 
@@ -592,7 +593,7 @@ TEST_CASE("The nearest double of a rational number, and the even one of two equa
 }
 
 TEST_CASE("Filtered uses exact arithmetic only at coincidences") {
-    const auto asked = [](const Scene& scene) {
+    const auto asked = [](const AdmittedScene& scene) {
         int exact = 0;
         visible_regions(scene, FilteredBy(CountExact{&exact}));
         return exact;
@@ -624,7 +625,7 @@ TEST_CASE_TEMPLATE("Runs under kernels that round end, and report outlines that 
     int faults = 0;
     for (int i = 0; i < 300; ++i) {
         HearFaults::Heard heard;
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         visible_regions(scene, K{}, HearFaults(heard));
         faults += heard.count;
     }

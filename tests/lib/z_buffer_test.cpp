@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("ShowLine: pixel centres between the ends, the depth stepped 
     // From (1.25, 0) to (4.75, 7/8): dz = 1/4. The centres are 1.5, 2.5, 3.5, 4.5, the depths 1/16, 5/16, 9/16, 13/16.
     Stage<K> stage(
         SceneBuilder({0, 0, 8, 4}).polygon({{1.25, 2, 0}, {4.75, 2, .875}, {4.75, 3, .875}, {1.25, 3, 0}}).build());
-    stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
+    stage.run.depth_buffer.clear(stage.scene->area, stage.run.kernel.farthest());
     const auto& kernel = stage.run.kernel;
     Corrected::show_line(stage.run, 2, kernel.vertex({1.25, 2.5, 0}), kernel.vertex({4.75, 2.5, .875}),
                          stage.polygon());
@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("ShowLine: pixel centres between the ends, the depth stepped 
 
 TEST_CASE_TEMPLATE("ShowLine: both ends on centres are painted, a span of one point too", K, VIDNO_KERNELS) {
     Stage<K> stage(SceneBuilder({0, 0, 8, 4}).quad(0, 0, 8, 4, 0).build());
-    stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
+    stage.run.depth_buffer.clear(stage.scene->area, stage.run.kernel.farthest());
     const auto& kernel = stage.run.kernel;
     const auto show = [&](int row, double x1, double x2) {
         Corrected::show_line(stage.run, row, kernel.vertex({x1, row + .5, 0}), kernel.vertex({x2, row + .5, 0}),
@@ -85,23 +85,23 @@ TEST_CASE_TEMPLATE("ShowLine: both ends on centres are painted, a span of one po
 
 TEST_CASE_TEMPLATE("ShowLine: a line off the area paints nothing, one across it starts at its side", K, VIDNO_KERNELS) {
     Stage<K> stage(SceneBuilder({10, 0, 4, 1}).polygon({{2.5, 0, 0}, {18.5, 0, 1}, {18.5, 1, 1}, {2.5, 1, 0}}).build());
-    stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
+    stage.run.depth_buffer.clear(stage.scene->area, stage.run.kernel.farthest());
     const auto& kernel = stage.run.kernel;
     const auto show = [&](double x1, double z1, double x2, double z2) {
         Corrected::show_line(stage.run, 0, kernel.vertex({x1, .5, z1}), kernel.vertex({x2, .5, z2}), stage.polygon());
     };
     show(0, 0, 9, 0);
     show(14, 0, 20, 0);
-    CHECK(stage.picture == Picture(stage.scene.area, white));
+    CHECK(stage.picture == Picture(stage.scene->area, white));
     show(2.5, 0, 18.5, 1);  // dz = 1/16; at 10.5 the depth is 8/16
-    CHECK(stage.picture == Picture(stage.scene.area, color_of(0)));
+    CHECK(stage.picture == Picture(stage.scene->area, color_of(0)));
     CHECK(as_double(kernel.finite(stage.run.depth_buffer.at(10, 0))) == .5);
 }
 
 TEST_CASE_TEMPLATE("ZBuffer: the active edges of a diamond, row by row", K, VIDNO_KERNELS) {
     // (4, .5), (8, 4.5), (4, 8.5), (0, 4.5): the vertices lie on centres of rows 0, 4 and 8; z = x / 8. On row j the
     // edges are at 4 -+ j down to row 4, then at j - 4 and 12 - j; on row 8 they meet again: the outline is closed.
-    const Scene scene =
+    const AdmittedScene scene =
         SceneBuilder({0, 0, 9, 9}).polygon({{4, .5, .5}, {8, 4.5, 1}, {4, 8.5, .5}, {0, 4.5, 0}}).build();
     std::vector<AelRow> rows;
     render(Method::zbuffer, scene, K{}, WatchAel(rows));
@@ -115,7 +115,8 @@ TEST_CASE_TEMPLATE("ZBuffer: the active edges of a diamond, row by row", K, VIDN
 
 TEST_CASE_TEMPLATE("ZBuffer: a side vertex on the last row's centre hands over, it does not double", K, VIDNO_KERNELS) {
     // The last row is 5 (centre 5.5), the lowest point 6: the vertex (9.5, 5.5) lies on that row and is not the end.
-    const Scene scene = SceneBuilder(area_16).polygon({{10, 2, 0}, {14, 2.5, 0}, {13.5, 6, 0}, {9.5, 5.5, 0}}).build();
+    const AdmittedScene scene =
+        SceneBuilder(area_16).polygon({{10, 2, 0}, {14, 2.5, 0}, {13.5, 6, 0}, {9.5, 5.5, 0}}).build();
     int others = 0;
     render(Method::zbuffer, scene, K{}, ExpectPairs(others));
     CHECK(others == 0);
@@ -134,7 +135,8 @@ TEST_CASE_TEMPLATE("ZBuffer: the closed outline is painted", K, VIDNO_KERNELS) {
 }
 
 TEST_CASE_TEMPLATE("ZBuffer: depths -1 and 1 are visible, and the first of equal depths wins", K, VIDNO_KERNELS) {
-    const Scene scene = SceneBuilder({0, 0, 3, 1}).quad(0, 0, 3, 1, -1).quad(1, 0, 3, 1, 1).quad(2, 0, 3, 1, 1).build();
+    const AdmittedScene scene =
+        SceneBuilder({0, 0, 3, 1}).quad(0, 0, 3, 1, -1).quad(1, 0, 3, 1, 1).quad(2, 0, 3, 1, 1).build();
     const Picture picture = render(Method::zbuffer, scene, K{});
     CHECK(picture.at(0, 0) == color_of(0));
     CHECK(picture.at(1, 0) == color_of(1));
@@ -142,7 +144,7 @@ TEST_CASE_TEMPLATE("ZBuffer: depths -1 and 1 are visible, and the first of equal
 }
 
 TEST_CASE_TEMPLATE("ZBuffer: an edge-on polygon shows nothing", K, VIDNO_KERNELS) {
-    const Scene scene = SceneBuilder(area_16).polygon({{1, 1, 0}, {9, 9, 0}, {5, 5, 1}}).build();
-    CHECK(scene.polygons[0].edge_on);
+    const AdmittedScene scene = SceneBuilder(area_16).polygon({{1, 1, 0}, {9, 9, 0}, {5, 5, 1}}).build();
+    CHECK(scene->polygons[0].edge_on);
     CHECK(render(Method::zbuffer, scene, K{}) == Picture(area_16, white));
 }

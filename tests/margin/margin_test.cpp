@@ -59,10 +59,10 @@ struct Course {
     using Signs = std::map<std::uint64_t, Sign>;
 
     /// Along this path, with a vertex moved.
-    Signs signs(const Scene& scene, PolygonPlace moved, int vertex, const Place& to) const {
+    Signs signs(const AdmittedScene& scene, PolygonPlace moved, int vertex, const Place& to) const {
         const auto outline = [&](PolygonPlace of) {
             std::vector<Place> places;
-            for (const auto& v : scene.polygons[std::size_t(of.index)].vertices)
+            for (const auto& v : scene->polygons[std::size_t(of.index)].vertices)
                 places.push_back({Rational(v.x), Rational(v.y)});
             if (of == moved) places[std::size_t(vertex)] = to;
             return places;
@@ -151,7 +151,7 @@ TEST_CASE("The edges of a triangle and a point: the half-planes are worked out b
     // SurroundTest tests the corners of the window. For (0, 0) and the vertex C = (2, 6) of the triangle (1, 1), (9, 1), (2, 6):
     // from B = (9, 1) to C = (x, y): (x - 9)(0 - 1) - (y - 1)(0 - 9) = -x + 9 y;  at C it is 52, positive.
     // from C to A = (1, 1):          (1 - x)(0 - y) - (1 - y)(0 - x) = x - y;     at C it is -4, negative.
-    const Scene scene = SceneBuilder({0, 0, 8, 8}).polygon({{1, 1, 0}, {9, 1, 0}, {2, 6, 0}}).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).polygon({{1, 1, 0}, {9, 1, 0}, {2, 6, 0}}).build();
     const RunRequest request{Method::warnock, *kernel_named("double"), Edition::corrected, scene};
     const auto first = courses_of(request).front();
     const Margin margin = margin_of(request, first.events.back().first, {0}, 2);
@@ -174,7 +174,7 @@ TEST_CASE("The edges of a triangle and a point: the half-planes are worked out b
 }
 
 TEST_CASE("A step without a sign has no margin") {
-    const Scene scene = small_scene();
+    const AdmittedScene scene = small_scene();
     const RunRequest request{Method::warnock, *kernel_named("double"), Edition::corrected, scene};
     CHECK_THROWS_AS(margin_of(request, 1, {0}, 0), Refused);
     CHECK_THROWS_AS(margin_of(request, 1'000'000, {0}, 0), Refused);
@@ -187,7 +187,7 @@ TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the 
     std::map<Procedure, int> of;
     constexpr std::array methods{Method::warnock, Method::warnock_full, Method::warnock_angles};
     for (std::size_t scenes = 0; margins < cases; ++scenes) {
-        const Scene scene = random.scene();
+        const AdmittedScene scene = random.scene();
         const RunRequest request{methods[scenes % methods.size()], *kernel_named("filtered"), Edition::corrected,
                                  scene};
         // Some procedures are called far more often than others, so we draw each procedure equally often.
@@ -197,7 +197,7 @@ TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the 
             const auto& alike = std::next(courses.begin(), random.whole(0, int(courses.size()) - 1))->second;
             const Course& course = alike[std::size_t(random.whole(0, int(alike.size()) - 1))];
             const PolygonPlace polygon = *course.polygon;
-            const auto& vertices = scene.polygons[std::size_t(polygon.index)].vertices;
+            const auto& vertices = scene->polygons[std::size_t(polygon.index)].vertices;
             const int vertex = random.whole(0, int(vertices.size()) - 1);
             const auto& now = vertices[std::size_t(vertex)];
             const Place at{Rational(now.x), Rational(now.y)};

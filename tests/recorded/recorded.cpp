@@ -209,7 +209,7 @@ std::string result_of(FloatingHorizonRequest request) {
     return lines_hash(lines) + std::to_string(steps);
 }
 
-TraceHeader header_of(const RunRequest& request, const Scene& scene) {
+TraceHeader header_of(const RunRequest& request, const AdmittedScene& scene) {
     return {request.method, request.edition, request.kernel.name(), request.detail, scene};
 }
 FloatingHorizonHeader header_of(const FloatingHorizonRequest& request, const Surface& surface) {
@@ -310,9 +310,9 @@ void tell_in_each_way(auto request, const auto& scene, const Turn& turn, auto&& 
     }
 }
 
-void tell(const PolygonMethod& each, const Scene& given, const Turn& turn, auto&& hear) {
+void tell(const PolygonMethod& each, const AdmittedScene& given, const Turn& turn, auto&& hear) {
     const auto& [method, edition, kernel] = each;
-    Scene scene = given;
+    AdmittedScene scene = given;
     try {
         if (kernel.snaps()) scene = snapped_scene(given, kernel.parameter).scene;
     } catch (const Refused&) {
@@ -378,7 +378,7 @@ void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
     static const auto for_polygons = polygon_methods();
     static const auto for_curves = floating_horizon_methods();
     const AnyScene scene = scene_in(named);
-    if (const auto* polygons = std::get_if<Scene>(&scene)) {
+    if (const auto* polygons = std::get_if<AdmittedScene>(&scene)) {
         add(*polygons, for_polygons);
     } else {
         add(std::get<Surface>(scene), for_curves);

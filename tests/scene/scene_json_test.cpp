@@ -67,14 +67,14 @@ TEST_CASE("a scene is read and written in one form") {
         "format": "vidno-scene/1"})",
                                               "f.json");
     CHECK(warnings.empty());
-    CHECK(scene.area == Area{-2, 3, 16, 8});
-    CHECK(scene.background == Color{255, 255, 255});
-    REQUIRE(scene.polygons.size() == 2);
-    CHECK(scene.polygons[0].id == "0");
-    CHECK_FALSE(scene.polygons[0].edge_on);
-    CHECK(scene.polygons[0].vertices[1] == glm::dvec3(0.1875, -16, -1));  // 1.5 / 8 and -1 x 16
-    CHECK(scene.polygons[1].id == "B \"2\"");
-    CHECK(scene.polygons[1].edge_on);
+    CHECK(scene->area == Area{-2, 3, 16, 8});
+    CHECK(scene->background == Color{255, 255, 255});
+    REQUIRE(scene->polygons.size() == 2);
+    CHECK(scene->polygons[0].id == "0");
+    CHECK_FALSE(scene->polygons[0].edge_on);
+    CHECK(scene->polygons[0].vertices[1] == glm::dvec3(0.1875, -16, -1));  // 1.5 / 8 and -1 x 16
+    CHECK(scene->polygons[1].id == "B \"2\"");
+    CHECK(scene->polygons[1].edge_on);
 
     const std::string text = scene_json(scene);
     CHECK(text ==
@@ -91,7 +91,7 @@ TEST_CASE("a vertex reflex by rounding is dropped with a warning") {
         read_scene(scene_with(std::string(triangle) + ", " +
                               polygon_with("[[0, 0, 0], [4, 1e-13, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]]")),
                    "f.json");
-    CHECK(scene.polygons[1].vertices.size() == 4);
+    CHECK(scene->polygons[1].vertices.size() == 4);
     CHECK(warnings == std::vector<std::string>{"f.json: /polygons/1: 1 vertex reflex by rounding, dropped"});
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("a camera takes the scene to the screen") {
                    R"("camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "orthographic", "height": 16,
                                  "near": 0, "far": 10}, )"),
         "f.json");
-    REQUIRE(scene.polygons.size() == 1);
-    CHECK(scene.polygons[0].vertices == std::vector<glm::dvec3>{{4, 12, 0}, {12, 12, 0}, {4, 4, 0}});
+    REQUIRE(scene->polygons.size() == 1);
+    CHECK(scene->polygons[0].vertices == std::vector<glm::dvec3>{{4, 12, 0}, {12, 12, 0}, {4, 4, 0}});
     CHECK(warnings == std::vector<std::string>{"f.json: /polygons/1: not in view, left out",
                                                "f.json: /polygons/2: no area, left out"});
 }
@@ -238,28 +238,28 @@ TEST_CASE("everything but the vertices has a default") {
                                                                {"vertices": [[0, 2, 1], [1, 2, 1], [0, 3, 1]]}]})",
                                               "f.json");
     CHECK(warnings.empty());
-    CHECK(scene.name.empty());
-    CHECK_MESSAGE((scene.area == Area{-1, 2, 5, 4}), "columns from -1/2 to 4, rows from 2 to 5 1/4, in whole pixels");
-    CHECK(scene.background == Color{255, 255, 255});
-    REQUIRE(scene.polygons.size() == 2);
-    CHECK(scene.polygons[0].id == "0");
-    CHECK(scene.polygons[1].id == "1");
-    CHECK_MESSAGE((scene.polygons[0].color == Color{230, 159, 0}), "Okabe and Ito's orange");
-    CHECK_MESSAGE((scene.polygons[1].color == Color{0, 114, 178}), "their blue");
+    CHECK(scene->name.empty());
+    CHECK_MESSAGE((scene->area == Area{-1, 2, 5, 4}), "columns from -1/2 to 4, rows from 2 to 5 1/4, in whole pixels");
+    CHECK(scene->background == Color{255, 255, 255});
+    REQUIRE(scene->polygons.size() == 2);
+    CHECK(scene->polygons[0].id == "0");
+    CHECK(scene->polygons[1].id == "1");
+    CHECK_MESSAGE((scene->polygons[0].color == Color{230, 159, 0}), "Okabe and Ito's orange");
+    CHECK_MESSAGE((scene->polygons[1].color == Color{0, 114, 178}), "their blue");
     CHECK(scene_json(scene).find(R"("window":{"x":-1,"y":2,"width":5,"height":4})") != std::string::npos);
 }
 
 TEST_CASE("colours repeat after the seventh, by the index in the scene") {
     std::string polygons;
     for (int i = 0; i < 8; ++i) polygons += R"({"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]},)";
-    const Scene scene = read_scene(scene_with(polygons + triangle), "f.json").scene;
-    CHECK(scene.polygons[7].color == scene.polygons[0].color);
-    CHECK(scene.polygons[8].color == Color{0x10, 0x20, 0x30});
-    for (std::size_t i = 1; i < 7; ++i) CHECK(scene.polygons[i].color != scene.polygons[i - 1].color);
+    const AdmittedScene scene = read_scene(scene_with(polygons + triangle), "f.json").scene;
+    CHECK(scene->polygons[7].color == scene->polygons[0].color);
+    CHECK(scene->polygons[8].color == Color{0x10, 0x20, 0x30});
+    for (std::size_t i = 1; i < 7; ++i) CHECK(scene->polygons[i].color != scene->polygons[i - 1].color);
 }
 
 TEST_CASE("a default window is at least a pixel each way, and there is none without vertices") {
-    CHECK(read_scene(R"({"polygons": [{"vertices": [[2, 3, 0], [2, 3, 0], [2, 3, 0]]}]})", "f.json").scene.area ==
+    CHECK(read_scene(R"({"polygons": [{"vertices": [[2, 3, 0], [2, 3, 0], [2, 3, 0]]}]})", "f.json").scene->area ==
           Area{2, 3, 1, 1});
     check_refused({
         {R"({"polygons": []})", "\"window\" is missing, and there are no vertices to reach over"},

@@ -78,12 +78,12 @@ TEST_CASE("Surface: a function becomes curves on whole columns") {
     // Over a column i of 8 x is i / 2. The left end of curve k is at (1 + 2 k, 12 - k); to the right the curve goes down by 4 / 8
     // a column; half a pixel upward is one of y, and z is 2, 1, 0: 12 - k + i / 2 - (i / 2 + 2 - k) / 2.
     const Surface surface = read_surface(small, "s.json");
-    REQUIRE(surface.curves.curves.size() == 3);
+    REQUIRE(surface.curves->curves.size() == 3);
     for (int k = 0; k < 3; ++k) {
         std::vector<Sample> expected;
         for (int i = 0; i <= 8; i += 2) expected.push_back({1 + 2 * k + i, 11 - k / 2. + i / 4.});
-        CHECK(surface.curves.curves[std::size_t(k)].samples == expected);
-        CHECK(on_columns(surface.curves.curves[std::size_t(k)], surface.curves.area));
+        CHECK(surface.curves->curves[std::size_t(k)].samples == expected);
+        CHECK(on_columns(surface.curves->curves[std::size_t(k)], surface.curves->area));
     }
 }
 
@@ -138,7 +138,8 @@ TEST_CASE("Surface: with a tolerance no column is farther off than that, and eac
 TEST_CASE("Surface: a surface that is written and read again is the same") {
     const Surface surface = read_surface(small, "s.json");
     CHECK(read_surface(surface_json(surface), "again") == surface);
-    const Surface given{"g", {{-3, 0, 8, 8}, {{{{-3, 0.1}, {4, -1e300}}}, {{{0, 5}, {1, 6}, {2, 5}}}}}};
+    const Surface given{
+        "g", CurveSceneBuilder({-3, 0, 8, 8}).curve({{-3, 0.1}, {4, -1e300}}).curve({{0, 5}, {1, 6}, {2, 5}}).build()};
     CHECK(surface_json(given) ==
           R"({"format":"vidno-surface/1","name":"g","window":{"x":-3,"y":0,"width":8,"height":8},)"
           R"("curves":[[[-3,0.1],[4,-1e+300]],[[0,5],[1,6],[2,5]]]})");
@@ -178,12 +179,12 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
 TEST_CASE("Surface: format, name and window have defaults") {
     const Surface drawn = read_surface(R"({"curves": [[[-2, 0.5], [3, 4]], [[0, 7.25], [1, 7]]]})", "s.json");
     CHECK(drawn.name.empty());
-    CHECK_MESSAGE((drawn.curves.area == Area{-2, 0, 6, 8}), "columns -2 to 3, heights from 1/2 to 7 1/4");
+    CHECK_MESSAGE((drawn.curves->area == Area{-2, 0, 6, 8}), "columns -2 to 3, heights from 1/2 to 7 1/4");
     // The curves of `small` are over the columns 1 to 13; they go from the row 10, at the farthest one's left end, down to the row 13.
     const std::string window = R"("window":{"x":0,"y":0,"width":20,"height":16},)";
     const Surface of_function = read_surface(changed(small, window, ""), "s.json");
-    CHECK(of_function.curves.area == Area{1, 10, 13, 4});
-    CHECK(of_function.curves.curves == read_surface(small, "s.json").curves.curves);
+    CHECK(of_function.curves->area == Area{1, 10, 13, 4});
+    CHECK(of_function.curves->curves == read_surface(small, "s.json").curves->curves);
     CHECK(read_function(changed(small, window, ""), "s.json").area == Area{1, 10, 13, 4});
     CHECK(without_places(refusal_of(R"({"curves": []})")) ==
           "s.json: \"window\" is missing, and there are no samples to reach over");
@@ -206,12 +207,12 @@ TEST_CASE("Surface: one pass reports every fault with line, column and path") {
 TEST_CASE("Surface: the text's figure has a pit in its middle, and a wave around it") {
     const std::string file = VIDNO_ROOT "/lessons/surfaces/waves-and-pit.json";
     const Surface surface = read_surface(read_file(file), file);
-    REQUIRE(surface.curves.curves.size() == 41);
+    REQUIRE(surface.curves->curves.size() == 41);
     // In the middle of curve 20, x = z = pi, a = 0: y = sin(pi) cos(pi) / 5 - 3/2. On the screen, from the view: the end of the
     // curve is at (20 + 40, 105 - 40), and the middle 100 columns and 30 rows farther, and 60 * 3/2 rows down.
-    CHECK(row_over(surface.curves.curves[20], 160) == doctest::Approx(65 + 30 + 90));
+    CHECK(row_over(surface.curves->curves[20], 160) == doctest::Approx(65 + 30 + 90));
     // At the corner x = 0, z = 2 pi sin is 0, and exp(-2 pi^2) nearly so.
-    CHECK(row_over(surface.curves.curves[0], 20) == doctest::Approx(105));
+    CHECK(row_over(surface.curves->curves[0], 20) == doctest::Approx(105));
     CHECK_MESSAGE(sample_count(surface.curves) > 41 * 51, "the pit bends more sharply than every fourth column shows");
     CHECK(sample_count(surface.curves) < 41 * 60);
 }

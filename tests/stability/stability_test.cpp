@@ -18,6 +18,7 @@
 #include "stability/journal.h"
 #include "stability/shrink.h"
 #include "stability/witness.h"
+#include "support/curves.h"
 #include "support/scenes.h"
 
 using namespace vidno;
@@ -30,7 +31,8 @@ const Experiment& experiment_of(Experiment::Kind kind, std::string_view how) {
                          [&](const auto& each) { return each.kind == kind && each.how == how; });
 }
 
-Tally tally_of(const Experiment& experiment, const std::vector<Scene>& series, const char* kernel, Method method) {
+Tally tally_of(const Experiment& experiment, const std::vector<AdmittedScene>& series, const char* kernel,
+               Method method) {
     return try_out(experiment, series, {*kernel_named(kernel)}, {method}).front();
 }
 
@@ -52,7 +54,7 @@ Results whole(const Campaign& campaign) {
     return results;
 }
 
-Picture picture_of(const Scene& scene, Method method, const char* kernel) {
+Picture picture_of(const AdmittedScene& scene, Method method, const char* kernel) {
     return run({method, *kernel_named(kernel), Edition::corrected, scene});
 }
 
@@ -74,15 +76,15 @@ struct TemporaryFile {
 }  // namespace
 
 TEST_CASE("Moved by an ulp: each coordinate is the double before, itself or the one after, and z stays in range") {
-    const Scene scene = SceneBuilder({0, 0, 8, 8}).polygon({{-1, 4, 1}, {8, 0, -.5}, {1, 8, 0}}).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).polygon({{-1, 4, 1}, {8, 0, -.5}, {1, 8, 0}}).build();
     RandomPolygons random(std::mt19937(5));
     int moved = 0;
     for (int i = 0; i < 100; ++i) {
-        const Scene other = moved_by_ulps(scene, 1, random);
+        const AdmittedScene other = moved_by_ulps(scene, 1, random);
         for (std::size_t v = 0; v < 3; ++v) {
             for (int axis = 0; axis < 3; ++axis) {
-                const double was = scene.polygons[0].vertices[v][axis];
-                const double is = other.polygons[0].vertices[v][axis];
+                const double was = scene->polygons[0].vertices[v][axis];
+                const double is = other->polygons[0].vertices[v][axis];
                 const double next = std::nextafter(was, is);
                 CHECK((is == was || is == next));
                 CHECK((axis < 2 || std::abs(is) <= 1));
@@ -94,13 +96,13 @@ TEST_CASE("Moved by an ulp: each coordinate is the double before, itself or the 
 }
 
 TEST_CASE("A quad that is moved far is no longer planar and becomes two triangles of its colour") {
-    const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, .5).build();
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, .5).build();
     RandomPolygons random(std::mt19937(5));
-    const Scene other = moved_by_ulps(scene, std::int64_t{1} << 32, random);
-    REQUIRE(other.polygons.size() == 2);
-    for (const auto& triangle : other.polygons) {
+    const AdmittedScene other = moved_by_ulps(scene, std::int64_t{1} << 32, random);
+    REQUIRE(other->polygons.size() == 2);
+    for (const auto& triangle : other->polygons) {
         CHECK(triangle.vertices.size() == 3);
-        CHECK(triangle.color == scene.polygons[0].color);
+        CHECK(triangle.color == scene->polygons[0].color);
     }
 }
 
@@ -111,7 +113,7 @@ TEST_CASE("A few thousand scenes, random and degenerate: no wrong pixel under fi
         for (int i = 0; i < 250; ++i) {
             CAPTURE(family.name);
             CAPTURE(i);
-            const Scene scene = moved_by_ulps(random_scene(family, random), std::int64_t{1} << i % 10, random);
+            const AdmittedScene scene = moved_by_ulps(random_scene(family, random), std::int64_t{1} << i % 10, random);
             const Picture right = picture_of(scene, Method::zbuffer, "exact");
             for (const Method method : {Method::warnock, Method::zbuffer}) {
                 CHECK(different_pixels(picture_of(scene, method, "filtered"), right) == 0);
@@ -160,7 +162,7 @@ TEST_CASE("Flicker: a pixel that changes though it should not") {
     // Both left sides lie right of the centres of the first column, which should stay white. As floats, which have steps of
     // 2^-24 there, the first is 1/2 and holds them, the second is 1/2 + 2^-24 and does not.
     const auto scene_from = [](double left) { return SceneBuilder({0, 0, 8, 8}).quad(left, 0, 8, 8, 0).build(); };
-    const std::vector<Scene> series{scene_from(.5 + 0x1p-26), scene_from(.5 + 3 * 0x1p-26)};
+    const std::vector<AdmittedScene> series{scene_from(.5 + 0x1p-26), scene_from(.5 + 3 * 0x1p-26)};
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         const auto& swept = experiment_of(Experiment::Kind::swept, "by ulps");
         const Tally in_float = tally_of(swept, series, "float", method);
@@ -194,10 +196,10 @@ TEST_CASE("Growth of windows: beside a triangle, the windows in its box split do
     for (std::size_t m = 3; m < beside.size(); ++m) {
         const int side = 1 << m;
         const double far = side;
-        const Scene scene = SceneBuilder({0, 0, side, side})
-                                .quad(0, 0, far, far, 0)
-                                .polygon({{0, 0, .5}, {far, 0, .5}, {far, far, .5}})
-                                .build();
+        const AdmittedScene scene = SceneBuilder({0, 0, side, side})
+                                        .quad(0, 0, far, far, 0)
+                                        .polygon({{0, 0, .5}, {far, 0, .5}, {far, far, .5}})
+                                        .build();
         const auto& grown = experiment_of(Experiment::Kind::grown, std::to_string(side));
         CHECK(tally_of(grown, {scene}, "double", Method::warnock).windows == on_diagonal[m]);
         CHECK_MESSAGE(tally_of(grown, {scene}, "double", Method::zbuffer).runs == 0, "there are none to count");
@@ -337,20 +339,23 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
 
 TEST_CASE("Shrinking keeps only the curves, samples and binary places that a property needs") {
     // The property: a curve is above 2 over column 3. One curve of two samples with whole heights, 3 and 0 or 1, has it.
-    const CurveScene scene{
-        {0, 0, 9, 9}, {{{{0, 1.25}, {4, 1}, {8, 1}}}, {{{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}}}, {{{1, 0}, {8, 1}}}}};
-    const auto is_above = [](const CurveScene& curves) {
-        for (const auto& [samples] : curves.curves) {
+    const AdmittedCurves scene = CurveSceneBuilder({0, 0, 9, 9})
+                                     .curve({{0, 1.25}, {4, 1}, {8, 1}})
+                                     .curve({{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}})
+                                     .curve({{1, 0}, {8, 1}})
+                                     .build();
+    const auto is_above = [](const AdmittedCurves& curves) {
+        for (const auto& [samples] : curves->curves) {
             for (const auto& sample : samples) {
                 if (sample.x == 3 && sample.y > 2) return true;
             }
         }
         return false;
     };
-    const CurveScene smallest = shrunk(scene, is_above);
-    REQUIRE(smallest.curves.size() == 1);
-    REQUIRE(smallest.curves[0].samples.size() == 2);
-    for (const auto& sample : smallest.curves[0].samples) CHECK(binary_places(sample.y) == 0);
+    const AdmittedCurves smallest = shrunk(scene, is_above);
+    REQUIRE(smallest->curves.size() == 1);
+    REQUIRE(smallest->curves[0].samples.size() == 2);
+    for (const auto& sample : smallest->curves[0].samples) CHECK(binary_places(sample.y) == 0);
 }
 
 TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows, and right under filtered") {
@@ -364,6 +369,6 @@ TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows
     };
     REQUIRE(failure.shows.column);
     const auto curve = std::size_t(failure.shows.column->first);
-    const auto column = std::size_t(failure.shows.column->second - curves.curves[curve].samples.front().x);
+    const auto column = std::size_t(failure.shows.column->second - curves->curves[curve].samples.front().x);
     CHECK(drawn(failure.fails.kernel)[curve][column] != drawn(failure.holds.kernel)[curve][column]);
 }

@@ -46,7 +46,7 @@ struct RandomBodies : RandomScenes {
         return parallelepiped(place(area), way(), way(), way());
     }
 
-    Scene scene() {
+    AdmittedScene scene() {
         const Area drawing = area();
         SceneBuilder builder(drawing);
         for (int i = whole(1, 3); i > 0; --i) add_body(builder, body(drawing));

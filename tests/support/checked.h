@@ -16,8 +16,8 @@ struct Checked {
     CheckReport report;
 };
 
-inline Checked checked(const Scene& scene, Method method, std::string_view kernel, std::size_t narrowest = 20) {
-    FindingList list(choice_of(method).procedure, scene.area, narrowest);
+inline Checked checked(const AdmittedScene& scene, Method method, std::string_view kernel, std::size_t narrowest = 20) {
+    FindingList list(choice_of(method).procedure, scene->area, narrowest);
     const RunRequest request{method, *kernel_named(kernel), Edition::corrected, scene};
     CheckReport report = check_run(
         request, right_picture(scene, method), [](const auto&) {}, &list);

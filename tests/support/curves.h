@@ -21,14 +21,14 @@ public:
         scene_.curves.push_back({std::move(samples)});
         return *this;
     }
-    CurveScene build() const { return scene_; }
+    AdmittedCurves build() const { return admit(scene_); }
 
 private:
     CurveScene scene_;
 };
 
 /// Two level curves, one that crosses both, one that is hidden, one that touches.
-inline CurveScene some_curves() {
+inline AdmittedCurves some_curves() {
     return CurveSceneBuilder({-2, 0, 14, 16})
         .curve({{-2, 12}, {8, 12}})
         .curve({{0, 4}, {10, 4}})

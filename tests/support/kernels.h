@@ -22,7 +22,7 @@ struct Grid8 : Grid {
 
 /// The scene as a kernel takes it: `grid` on its grid.
 template <class K>
-Scene scene_for(Scene scene) {
+AdmittedScene scene_for(AdmittedScene scene) {
     if constexpr (std::derived_from<K, Grid>) return snapped(std::move(scene), Resolution{8});
     return scene;
 }

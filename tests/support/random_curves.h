@@ -16,7 +16,7 @@ public:
 
     int whole(int low, int high) { return low + int(random_() % unsigned(high - low + 1)); }
 
-    CurveScene scene() {
+    AdmittedCurves scene() {
         const Area area{whole(-9, 9), 0, whole(2, 14), 16};
         CurveSceneBuilder builder(area);
         const int kind = whole(0, 3);
@@ -67,13 +67,14 @@ private:
 };
 
 /// Moves each height by up to two ulps, so coincidences become near misses.
-inline void move_by_ulps(CurveScene& scene, RandomCurves& random) {
+inline AdmittedCurves moved_by_ulps(CurveScene scene, RandomCurves& random) {
     for (auto& curve : scene.curves) {
         for (auto& [x, y] : curve.samples) {
             const int ulps = random.whole(-2, 2);
             for (int i = 0; i < std::abs(ulps); ++i) y = std::nextafter(y, ulps * 1e9);
         }
     }
+    return admit(std::move(scene));
 }
 
 }  // namespace vidno::test

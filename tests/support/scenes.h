@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -34,18 +35,7 @@ public:
         return polygon({{left, top, z}, {right, top, z}, {right, bottom, z}, {left, bottom, z}});
     }
 
-    /// Throws if a polygon is not admitted.
-    Scene build() const {
-        Scene scene = scene_;
-        for (auto& polygon : scene.polygons) admitted(polygon);
-        return scene;
-    }
-
-    static void admitted(ScenePolygon& polygon) {
-        const Admitted result = admit(polygon);
-        if (result.admission != Admission::admitted)
-            throw std::invalid_argument(std::string(reason_of(result.admission)));
-    }
+    AdmittedScene build() const { return admit(scene_); }
 
 private:
     Scene scene_;
@@ -57,7 +47,7 @@ inline const Corners near_square{{4, 4, .5}, {12, 4, .5}, {12, 12, .5}, {4, 12, 
 inline constexpr Area area_16{0, 0, 16, 16};
 
 /// Three polygons that overlap, on the coarsest grid, so that every kernel takes them unchanged.
-inline Scene small_scene() {
+inline AdmittedScene small_scene() {
     return SceneBuilder({-3, 2, 9, 7})
         .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
         .quad(-2, 3, 4, 8, .25)
@@ -81,7 +71,7 @@ struct RandomScenes : RandomPolygons {
         return {whole(-20, 20), whole(-20, 20), sides[whole(0, 6)], sides[whole(0, 6)]};
     }
 
-    Scene scene() {
+    AdmittedScene scene() {
         const Area drawing = area();
         SceneBuilder builder(drawing);
         for (int i = whole(1, 5); i > 0; --i) {
@@ -96,8 +86,8 @@ struct RandomScenes : RandomPolygons {
     }
 };
 
-/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. Is the scene still admitted?
-inline bool moved_by_ulps(Scene& scene, RandomScenes& random) {
+/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. None if a polygon is no longer admitted.
+inline std::optional<AdmittedScene> moved_by_ulps(Scene scene, RandomScenes& random) {
     for (auto& polygon : scene.polygons) {
         for (auto& vertex : polygon.vertices) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -106,9 +96,9 @@ inline bool moved_by_ulps(Scene& scene, RandomScenes& random) {
             }
             vertex.z = std::clamp(vertex.z, -1., 1.);
         }
-        if (admit(polygon).admission != Admission::admitted) return false;
+        if (admit_polygon(polygon).admission != Admission::admitted) return std::nullopt;
     }
-    return true;
+    return admit(std::move(scene));
 }
 
 }  // namespace vidno::test

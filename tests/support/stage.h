@@ -9,13 +9,13 @@ namespace vidno::test {
 
 template <class K, class Set = Corrected, class Trace = NoTrace>
 struct Stage {
-    Scene scene;
+    AdmittedScene scene;
     Picture picture;
     Run<Set, K, Trace> run;
 
-    explicit Stage(Scene given, Trace trace = {})
+    explicit Stage(AdmittedScene given, Trace trace = {})
         : scene(scene_for<K>(std::move(given))),
-          picture(scene.area, scene.background),
+          picture(scene->area, scene->background),
           run(scene, K{}, trace, picture) {}
 
     const Polygon<K>& polygon(std::size_t index = 0) const { return run.polygons[index]; }

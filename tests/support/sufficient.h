@@ -85,7 +85,7 @@ private:
 };
 
 template <class K, class Set>
-int check_rebuilt(const Scene& scene, Method method) {
+int check_rebuilt(const AdmittedScene& scene, Method method) {
     constexpr Edition edition = std::same_as<Set, Printed> ? Edition::printed : Edition::corrected;
     const TraceHeader header{method, edition, std::string(K::name), Detail::polygons, scene};
     Rebuilt<State> rebuilt(header);
@@ -98,7 +98,7 @@ int check_rebuilt(const Scene& scene, Method method) {
     CHECK(rebuilt.state.picture() == stage.picture);
     if (is_warnock(method)) return rebuilt.compared;
     int different = 0;
-    const Area& area = scene.area;
+    const Area& area = scene->area;
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
             const typename K::Depth stored = stage.run.depth_buffer.at(x, y);

@@ -1,4 +1,5 @@
 // Prints signs and pictures. The native program and the WebAssembly must print the same bytes.
+#include <vidno/admission.h>
 #include <vidno/kernels/exact.h>
 #include <vidno/kernels/filtered.h>
 #include <vidno/printed.h>
@@ -28,17 +29,17 @@ void print_signs(const K& kernel) {
     }
 }
 
-Scene scene_of(std::string name, Area area, std::vector<std::vector<glm::dvec3>> outlines) {
+AdmittedScene scene_of(std::string name, Area area, std::vector<std::vector<glm::dvec3>> outlines) {
     Scene scene{.name = std::move(name), .area = area, .background = {'.', 0, 0}, .polygons = {}};
     for (auto& outline : outlines) {
         const auto letter = char('A' + scene.polygons.size());
         scene.polygons.push_back(
             {.id = {letter}, .color = {std::uint8_t(letter), 0, 0}, .vertices = std::move(outline)});
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
-std::vector<Scene> scenes() {
+std::vector<AdmittedScene> scenes() {
     return {
         scene_of("four relations", {0, 0, 16, 16},
                  {{{-1, -1, -0.5}, {17, -1, -0.5}, {17, 17, -0.5}, {-1, 17, -0.5}},
@@ -57,13 +58,13 @@ std::vector<Scene> scenes() {
 
 template <class Set, Kernel K>
 void print_pictures(K kernel) {
-    for (const Scene& scene : scenes()) {
+    for (const AdmittedScene& scene : scenes()) {
         for (const Method method : {Method::warnock, Method::zbuffer}) {
-            std::printf("%s, %s, %s, %s\n", scene.name.c_str(), std::string(method_names[std::size_t(method)]).c_str(),
+            std::printf("%s, %s, %s, %s\n", scene->name.c_str(), std::string(method_names[std::size_t(method)]).c_str(),
                         std::string(Set::name).c_str(), std::string(K::name).c_str());
             const Picture picture = render<Set>(method, scene, kernel);
-            for (int y = scene.area.y; y < scene.area.bottom(); ++y) {
-                for (int x = scene.area.x; x < scene.area.right(); ++x) std::putchar(picture.at(x, y).red);
+            for (int y = scene->area.y; y < scene->area.bottom(); ++y) {
+                for (int x = scene->area.x; x < scene->area.right(); ++x) std::putchar(picture.at(x, y).red);
                 std::putchar('\n');
             }
         }

@@ -100,7 +100,8 @@ Cost cost_of(const Way& way, const Scene& scene, const OperationCounts& counts) 
 /// A scene as the kernels run it.
 class Stage {
 public:
-    explicit Stage(const Scene& scene) : as_it_is_{scene, std::vector<std::size_t>(scene.polygons.size()), {}} {
+    explicit Stage(const AdmittedScene& scene)
+        : as_it_is_{scene, std::vector<std::size_t>(scene->polygons.size()), {}} {
         std::iota(as_it_is_.sources.begin(), as_it_is_.sources.end(), std::size_t{0});
     }
 
@@ -136,10 +137,10 @@ std::vector<Way> ways_to_draw(const Scene& scene) {
 
 std::size_t turns_of(const Scene& scene) { return ways_to_draw(scene).size() * (1 + chart_rounds); }
 
-SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
+SceneChart chart_of(const AdmittedScene& scene, const std::function<void()>& progress) {
     Stage stage(scene);
     const Examiner examiner(scene);
-    SceneChart chart{scene.name, examiner.unsteady_pixels(), examiner.pixels(), scene.polygons.size(),
+    SceneChart chart{scene->name, examiner.unsteady_pixels(), examiner.pixels(), scene->polygons.size(),
                      examiner.area_of_pixels()};
     chart.scene = scene_json(scene);
     std::vector<std::function<void()>> runs;

@@ -67,7 +67,7 @@ inline constexpr int largest_charted_side = 512;  // in pixels; a chart of a lar
 /// How often a chart of the scene calls its `progress`.
 std::size_t turns_of(const Scene& scene);
 
-SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
+SceneChart chart_of(const AdmittedScene& scene, const std::function<void()>& progress);
 
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);

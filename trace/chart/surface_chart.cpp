@@ -89,10 +89,10 @@ struct Counting {
 class FunctionExaminer {
 public:
     explicit FunctionExaminer(const Function& function)
-        : dense_{function.area, sampled(on_each_column(function.surface))},
+        : dense_(admit(CurveScene{function.area, sampled(on_each_column(function.surface))})),
           drawn_(columns_drawn(run({*kernel_named("filtered"), Edition::corrected, dense_}), dense_)) {}
 
-    const CurveScene& dense() const { return dense_; }
+    const AdmittedCurves& dense() const { return dense_; }
 
     SurfaceFindings examine(const FloatingHorizonRequest& request) const {
         SurfaceFindings found;
@@ -103,14 +103,14 @@ public:
             found.wrong_decisions += each.wrong_for_scene;
         }
         found.wrong_columns = different_columns(columns_drawn(report.lines, request.scene), drawn_);
-        for (std::size_t i = 0; i < dense_.curves.size(); ++i) {
-            found.height = std::max(found.height, height_missed(request.scene.curves[i], dense_.curves[i]));
+        for (std::size_t i = 0; i < dense_->curves.size(); ++i) {
+            found.height = std::max(found.height, height_missed(request.scene->curves[i], dense_->curves[i]));
         }
         return found;
     }
 
 private:
-    CurveScene dense_;
+    AdmittedCurves dense_;
     ColumnsDrawn drawn_;
 };
 
@@ -131,11 +131,12 @@ std::size_t turns_of(const Function& function) { return ways_to_draw(function.su
 
 SurfaceChart chart_of(const Function& function, const std::function<void()>& progress) {
     const FunctionExaminer examiner(function);
-    SurfaceChart chart{function.name, examiner.dense().curves.size(), column_count(examiner.dense())};
+    SurfaceChart chart{function.name, examiner.dense()->curves.size(), column_count(examiner.dense())};
     chart.surface = function.file;
     const auto ways = ways_to_draw(function.surface);
-    std::vector<CurveScene> scenes;
-    for (const SurfaceWay& way : ways) scenes.push_back({function.area, sampled(turned(function.surface, way))});
+    std::vector<AdmittedCurves> scenes;
+    for (const SurfaceWay& way : ways)
+        scenes.push_back(admit(CurveScene{function.area, sampled(turned(function.surface, way))}));
     std::vector<std::function<void()>> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const FloatingHorizonRequest request{ways[i].kernel, ways[i].edition, scenes[i]};

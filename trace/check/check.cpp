@@ -41,7 +41,7 @@ private:
 
 }  // namespace
 
-Picture right_picture(const Scene& scene, Method method) {
+Picture right_picture(const AdmittedScene& scene, Method method) {
     return run({reference_of(method), exact_kernel(), Edition::corrected, scene});
 }
 

@@ -16,7 +16,7 @@ struct CheckReport : DecisionReport {
 };
 
 /// What the scene should show: by the picture rule, or by the method's variation of it.
-Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
+Picture right_picture(const AdmittedScene& scene, Method method = Method::zbuffer);
 
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under `exact`, until
 /// they diverge. The pixels are compared with `right`, the right picture of the scene, or of the scene before it was snapped. `hear`

@@ -38,7 +38,7 @@ private:
 namespace {
 
 /// The right picture, by `filtered`, since `exact` would take longer.
-Picture picture_of(const Scene& scene) {
+Picture picture_of(const AdmittedScene& scene) {
     return run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
 }
 
@@ -78,7 +78,7 @@ bool ends_run(const event::Fault& fault) {
 
 }  // namespace
 
-Examiner::Examiner(const Scene& scene)
+Examiner::Examiner(const AdmittedScene& scene)
     : scene_(scene), right_(right_picture(scene)), visible_(scene), depths_(std::make_unique<const Depths>(scene)) {}
 
 Examiner::~Examiner() = default;

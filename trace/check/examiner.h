@@ -30,7 +30,7 @@ struct Findings {
 /// The truth about a scene, with which runs of it are compared.
 class Examiner {
 public:
-    explicit Examiner(const Scene& scene);
+    explicit Examiner(const AdmittedScene& scene);
     ~Examiner();
     Examiner(const Examiner&) = delete;
     Examiner& operator=(const Examiner&) = delete;
@@ -49,7 +49,7 @@ public:
 private:
     class Depths;
 
-    const Scene& scene_;
+    const AdmittedScene& scene_;
     Picture right_;
     VisibleAreas visible_;
     std::unique_ptr<const Depths> depths_;

@@ -164,9 +164,9 @@ FindingsHeader findings_header(const RunRequest& request) {
     FindingsHeader header{method_names[std::size_t(request.method)],
                           name_of(request.edition),
                           request.kernel.name(),
-                          request.scene.name,
+                          request.scene->name,
                           {}};
-    for (const auto& polygon : request.scene.polygons) header.polygons.push_back(polygon.id);
+    for (const auto& polygon : request.scene->polygons) header.polygons.push_back(polygon.id);
     return header;
 }
 FindingsHeader findings_header(const FloatingHorizonRequest& request, const std::string& name) {

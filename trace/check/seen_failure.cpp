@@ -42,7 +42,7 @@ void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, 
         if (const auto* surface = std::get_if<Surface>(&scene)) {
             told_floating_horizon({kernel, edition, surface->curves, Detail::signs, &sink}, {.judge = judge});
         } else {
-            RunRequest request{method_of(named), kernel, edition, std::get<Scene>(scene), Detail::signs, &sink};
+            RunRequest request{method_of(named), kernel, edition, std::get<AdmittedScene>(scene), Detail::signs, &sink};
             if (judge) {
                 judged_run(request, {.judge = judge});
             } else {
@@ -121,7 +121,7 @@ Words shown(const Painted& last, const Scene& scene) {
 }
 
 SeenFailure seen_pixel(const Failure& failure, const std::pair<int, int>& pixel) {
-    const auto& scene = std::get<Scene>(*failure.scene);
+    const auto& scene = std::get<AdmittedScene>(*failure.scene);
     const Painted wrong = painted(*failure.scene, failure.fails, pixel);
     const Words taken = shown(wrong, scene);
     const Words right = shown(painted(*failure.scene, failure.holds, pixel), scene);
@@ -274,7 +274,7 @@ void write_failing_run(const Failure& failure, std::function<void(std::string_vi
                            most_steps);
         write_trace(FloatingHorizonRequest{kernel, edition, surface->curves, Detail::signs}, writer);
     } else {
-        const auto& scene = std::get<Scene>(*failure.scene);
+        const auto& scene = std::get<AdmittedScene>(*failure.scene);
         const Method method = method_of(failure.fails);
         TraceWriter writer(TraceHeader{method, edition, kernel.name(), Detail::signs, scene}, std::move(write),
                            most_steps);

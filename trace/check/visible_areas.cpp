@@ -80,7 +80,7 @@ std::vector<std::vector<Place>> exactly(const Outlines<Constructed>& outlines) {
 
 }  // namespace
 
-VisibleAreas::VisibleAreas(const Scene& scene) : area_(scene.area) {
+VisibleAreas::VisibleAreas(const AdmittedScene& scene) : area_(scene->area) {
     using ExactShares = std::vector<std::pair<Color, Rational>>;
     std::vector<ExactShares> exact(std::size_t(area_.width) * std::size_t(area_.height));
     const auto share_of = [](ExactShares& shares, const Color& color) -> Rational& {
@@ -98,7 +98,7 @@ VisibleAreas::VisibleAreas(const Scene& scene) : area_(scene.area) {
                 bottom = std::max(bottom, place.y);
             }
         }
-        const Color color = scene.polygons[std::size_t(polygon)].color;
+        const Color color = scene->polygons[std::size_t(polygon)].color;
         const int last = floor_of(bottom, area_.y, area_.bottom());
         for (int y = floor_of(top, area_.y, area_.bottom()); y <= last; ++y) {
             RowOfPixels pixels(area_, y);
@@ -113,7 +113,7 @@ VisibleAreas::VisibleAreas(const Scene& scene) : area_(scene.area) {
     for (auto& shares : exact) {
         Rational background = 1;
         for (const auto& share : shares) background -= share.second;
-        if (background != 0) share_of(shares, scene.background) += background;
+        if (background != 0) share_of(shares, scene->background) += background;
         auto& rounded = shares_.emplace_back();
         for (const auto& [color, area] : shares) rounded.push_back({color, CGAL::to_double(area)});
     }

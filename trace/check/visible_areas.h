@@ -10,7 +10,7 @@ namespace vidno {
 
 class VisibleAreas {
 public:
-    explicit VisibleAreas(const Scene& scene);
+    explicit VisibleAreas(const AdmittedScene& scene);
 
     /// How much of the area a picture shows in a wrong colour, in pixels.
     double wrong_in(const Picture& picture) const;

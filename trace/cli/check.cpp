@@ -11,6 +11,7 @@
 #include "format/trace_reader.h"
 #include "output.h"
 #include "run/floating_horizon_run.h"
+#include "scene/exact_scene.h"
 
 namespace vidno::cli {
 
@@ -133,13 +134,14 @@ int check_header(const CheckOptions& options, TraceHeader run) {
     if (options.method) run.method = Method(place_in(method_names, *options.method));
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_run(kernel, run.method, run.edition);
-    const Scene scene = scene_for(kernel, run.scene, options.input);
+    const AdmittedScene given = exact_scene::admit(std::move(run.scene));
+    const AdmittedScene scene = scene_for(kernel, given, options.input);
     expect_admitted(run.method, scene, options.input);
     const RunRequest request{run.method, kernel, run.edition, scene};
-    FindingList findings(choice_of(run.method).procedure, scene.area, options.narrowest);
-    const CheckReport report = checked(request, findings, right_picture(run.scene, run.method));
+    FindingList findings(choice_of(run.method).procedure, scene->area, options.narrowest);
+    const CheckReport report = checked(request, findings, right_picture(given, run.method));
     tell(options, report, findings, findings_header(request));
-    const auto pixels = std::int64_t(scene.area.width) * scene.area.height;
+    const auto pixels = std::int64_t(scene->area.width) * scene->area.height;
     std::cout << "wrong pixels: " << report.wrong_pixels << " of " << pixels << '\n';
     return report.found_something() ? 1 : 0;
 }
@@ -148,7 +150,7 @@ int check_header(const CheckOptions& options, const FloatingHorizonHeader& run) 
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_floating_horizon_run(kernel, run.edition);
     const FloatingHorizonRequest request{kernel, run.edition, run.scene.curves};
-    FindingList findings(Procedure::floating_horizon, run.scene.curves.area, options.narrowest);
+    FindingList findings(Procedure::floating_horizon, run.scene.curves->area, options.narrowest);
     const FloatingHorizonCheckReport report = checked(request, findings);
     tell(options, report, findings, findings_header(request, run.scene.name));
     std::cout << "wrong columns of curves: " << report.wrong_columns << " of " << report.columns << '\n';

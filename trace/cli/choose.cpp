@@ -21,7 +21,7 @@ struct ChooseOptions {
 struct Candidate {
     Method method;
     NamedKernel kernel;
-    Scene scene;  // as the kernel runs it
+    AdmittedScene scene;  // as the kernel runs it
     std::size_t wrong_pixels = 0;
     double seconds = 0;
 
@@ -30,9 +30,9 @@ struct Candidate {
 
 /// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene. Methods that do
 /// more than paint are left out.
-std::vector<Candidate> candidates_for(const Scene& scene) {
+std::vector<Candidate> candidates_for(const AdmittedScene& scene) {
     const NamedKernel grid = *kernel_named("grid");
-    std::optional<Scene> on_grid;
+    std::optional<AdmittedScene> on_grid;
     if (fits_grid(scene, grid.parameter)) on_grid = snapped_scene(scene, grid.parameter).scene;
     std::vector<Candidate> candidates;
     for (std::size_t place = 0; place < method_names.size(); ++place) {
@@ -59,7 +59,7 @@ std::uint64_t sum_of(const auto& counts) {
 
 /// Confirms that the picture is right: compares each decision of the run under `filtered` with exact arithmetic. False if one was not
 /// confirmed.
-bool print_certificate(const Candidate& chosen, const Scene& scene) {
+bool print_certificate(const Candidate& chosen, const AdmittedScene& scene) {
     const RunRequest filtered{chosen.method, *kernel_named("filtered"), Edition::corrected, scene};
     const CheckReport certain = check_run(filtered, right_picture(scene));
     const auto& by = certain.decided_by;
@@ -74,7 +74,7 @@ bool print_certificate(const Candidate& chosen, const Scene& scene) {
 }
 
 int choose(const ChooseOptions& options) {
-    const Scene scene = scene_from(options.scene);
+    const AdmittedScene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
     const Picture right = run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
     std::vector<std::function<void()>> runs;

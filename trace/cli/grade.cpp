@@ -14,6 +14,7 @@
 #include "output.h"
 #include "page/page.h"
 #include "run/write_trace.h"
+#include "scene/exact_scene.h"
 
 namespace vidno::cli {
 
@@ -45,7 +46,8 @@ PageFile right_run(const TraceHeader& drawn, const Words& say) {
     const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer);
+    const AdmittedScene scene = exact_scene::admit(drawn.scene);
+    write_trace({drawn.method, kernel, Edition::corrected, scene, Detail::signs}, writer);
     return page_file(say({"Right", "Верно"}), header, text);
 }
 
@@ -69,15 +71,16 @@ void write_page(const SceneGrade& grade, const std::string& file, const Words& s
               << file_address(std::filesystem::absolute(file)) << "#trace=1&with=2&step=" << step << '\n';
 }
 
-std::vector<Scene> scenes_of(const GradeOptions& options, const Words& say) {
-    std::vector<Scene> scenes;
+std::vector<AdmittedScene> scenes_of(const GradeOptions& options, const Words& say) {
+    std::vector<AdmittedScene> scenes;
     for (const auto& file : options.scenes) scenes.push_back(scene_from(file));
     if (!scenes.empty()) return scenes;
     scenes = scenes_to_grade();
     if (options.random == 0) return scenes;
     std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
                      options.random, std::to_string(options.seed));
-    for (Scene& scene : random_scenes_to_grade(options.seed, options.random)) scenes.push_back(std::move(scene));
+    for (AdmittedScene& scene : random_scenes_to_grade(options.seed, options.random))
+        scenes.push_back(std::move(scene));
     return scenes;
 }
 
@@ -124,7 +127,7 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
         for (std::string line; lines.next(line);) text += line + '\n';
         grade = grade_trace(std::move(text), grading);
     } else {
-        const std::vector<Scene> scenes = scenes_of(options, say);
+        const std::vector<AdmittedScene> scenes = scenes_of(options, say);
         Progress progress("scenes");
         scenes_given = scenes.size();
         grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
@@ -169,7 +172,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
     const std::vector<std::filesystem::path> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
     std::filesystem::create_directories(reports);
-    const std::vector<Scene> scenes = scenes_of(options, grading.say);
+    const std::vector<AdmittedScene> scenes = scenes_of(options, grading.say);
     const Patience patience{100, std::chrono::seconds(5)};
     const bool has_page = page_is_built();
     std::vector<TableRow> rows;

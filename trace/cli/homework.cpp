@@ -32,7 +32,7 @@ std::string number_of(std::size_t place, std::size_t count) {
 int homework(const HomeworkOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
-    const Scene scene = scene_from(options.scene);
+    const AdmittedScene scene = scene_from(options.scene);
     expect_by_hand(scene, options.scene);
     Progress progress("exercises");
     auto found = exercises_of(scene, Method(place_in(method_names, options.method)), options.count, options.seed,
@@ -43,8 +43,9 @@ int homework(const HomeworkOptions& options) {
     if (error) throw Refused(options.output + ": cannot be made: " + error.message());
     for (std::size_t i = 0; i < found.size(); ++i) {
         const std::string number = number_of(i, options.count);
-        found[i].name += (scene.name.empty() ? "" : " · ") + number;
-        write_file(folder / (number + ".json"), scene_json(found[i]) + '\n');
+        Scene exercise = found[i];
+        exercise.name += (exercise.name.empty() ? "" : " · ") + number;
+        write_file(folder / (number + ".json"), scene_json(exercise) + '\n');
     }
     if (found.size() == options.count) return 0;
     std::cerr << options.output << ": " << found.size() << " of " << options.count

@@ -67,7 +67,7 @@ int make_lesson(const LessonOptions& options) {
     const AnyScene scene = is_mesh ? AnyScene(import_mesh(read_file(options.source), options.source, {}).scene)
                                    : any_scene_from(options.source);
     auto files = new_lesson(scene);
-    files["scene.json"] = is_mesh ? scene_json(std::get<Scene>(scene)) + '\n' : read_file(options.source);
+    files["scene.json"] = is_mesh ? scene_json(std::get<AdmittedScene>(scene)) + '\n' : read_file(options.source);
     std::filesystem::create_directories(folder);
     for (const auto& [name, text] : files) write_file(folder / name, text);
     std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output

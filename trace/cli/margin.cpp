@@ -39,7 +39,7 @@ std::pair<PolygonPlace, int> vertex_in(const Scene& scene, const std::string& na
 
 int margin(const MarginOptions& options) {
     const NamedKernel kernel = kernel_of(options);
-    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    const AdmittedScene scene = scene_for(kernel, scene_from(options.scene), options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     const auto [polygon, vertex] = vertex_in(scene, options.vertex);
     const Margin found = margin_of(request_of(options, kernel, scene), options.step, polygon, vertex);

@@ -18,7 +18,7 @@ struct NeedOptions {
 };
 
 int need(const NeedOptions& options) {
-    const Scene scene = scene_from(options.scene);
+    const AdmittedScene scene = scene_from(options.scene);
     Progress progress("pictures");
     const NeedReport report = needs_of(scene, [&, pictures = 0ULL]() mutable { progress.show(++pictures); });
     progress.clear();

@@ -23,9 +23,7 @@ struct PageOptions {
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-std::string title_of(const auto& scene, const std::string& file) {
-    return scene.name.empty() ? base_name(file) : scene.name;
-}
+std::string title_of(const std::string& name, const std::string& file) { return name.empty() ? base_name(file) : name; }
 
 std::string_view method_for(const Scene&) { return method_names[std::size_t(method_of(RunOptions{}))]; }
 std::string_view method_for(const Surface&) { return floating_horizon_method; }
@@ -42,13 +40,21 @@ PageFile failure_file(const std::string& text, const std::string& file) {
 
 /// A scene as admitted, or a surface with its samples, to be run with the defaults.
 PageFile scene_file(const std::string& file) {
+    const std::string text = read_file(file);
+    if (is_failure(text)) return failure_file(text, file);
+    const AnyScene any = any_scene_from(file);
     const auto made = [&](const auto& scene) -> PageFile {
         const RunOptions run;
         const std::string method(method_for(scene));
-        return {title_of(scene, file), method, run.kernel_name(), run.edition_name(), run.detail, text_of(scene), true};
+        return {title_of(name_of(any), file),
+                method,
+                run.kernel_name(),
+                run.edition_name(),
+                run.detail,
+                text_of(scene),
+                true};
     };
-    const std::string text = read_file(file);
-    return is_failure(text) ? failure_file(text, file) : std::visit(made, any_scene_from(file));
+    return std::visit(made, any);
 }
 
 std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
@@ -62,7 +68,7 @@ PageFile trace_file(const std::string& file, bool& whole) {
         progress.clear();
         if (!is_whole(reader)) whole = false;
         const auto& header = reader.header();
-        return {title_of(header.scene, file),
+        return {title_of(header.scene.name, file),
                 std::string(method_in(header)),
                 header.kernel,
                 name_of(header.edition),

@@ -34,14 +34,14 @@ std::string encoded_regions(RunRequest request, const std::string& output) {
     request.regions = &regions;
     run(request);
     if (output.ends_with(".json")) return regions_json(regions, request);
-    return figures::encoded(figures::drawn_regions(regions, request.scene), {request.scene.name}, output);
+    return figures::encoded(figures::drawn_regions(regions, request.scene), {request.scene->name}, output);
 }
 
-std::string rendered(const RenderOptions& options, const Scene& given) {
+std::string rendered(const RenderOptions& options, const AdmittedScene& given) {
     const bool of_regions = is_of_regions(options);
     if (!of_regions) encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     const NamedKernel kernel = kernel_of(options);
-    const Scene scene = scene_for(kernel, given, options.scene);
+    const AdmittedScene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     RunRequest request = request_of(options, kernel, scene);
     Progress progress(paced_by(request.method));
@@ -53,7 +53,7 @@ std::string rendered(const RenderOptions& options, const Surface& surface) {
     FloatingHorizonRequest request = request_of(options, surface);
     Progress progress("curves");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    return figures::encoded(figures::drawn_lines(run(request), surface.curves.area), {surface.name}, options.output);
+    return figures::encoded(figures::drawn_lines(run(request), surface.curves->area), {surface.name}, options.output);
 }
 
 int render(RenderOptions options) {

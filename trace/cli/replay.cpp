@@ -32,7 +32,7 @@ std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
 std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
-    return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
+    return figures::encoded(figures::drawn_lines(state.lines(), surface.curves->area), {surface.name}, name);
 }
 
 /// Compares the file's last line with what was read.

@@ -26,15 +26,17 @@ public:
     explicit Trial(const RunOptions& options)
         : kernel_(kernel_of(options)), method_(method_of(options)), edition_(edition_of(options)) {}
 
-    RunRequest request(const Scene& scene) const { return {method_, kernel_, edition_, scene, Detail::signs}; }
-    bool admits(const Scene& scene) const { return !refusal_of(method_, scene); }
-    Picture picture(const Scene& scene) const { return run(request(scene)); }
-    CheckReport check(const Scene& scene) const { return check_run(request(scene), right_picture(scene, method_)); }
+    RunRequest request(const AdmittedScene& scene) const { return {method_, kernel_, edition_, scene, Detail::signs}; }
+    bool admits(const AdmittedScene& scene) const { return !refusal_of(method_, scene); }
+    Picture picture(const AdmittedScene& scene) const { return run(request(scene)); }
+    CheckReport check(const AdmittedScene& scene) const {
+        return check_run(request(scene), right_picture(scene, method_));
+    }
 
-    bool wrong_picture(const Scene& scene) const {
+    bool wrong_picture(const AdmittedScene& scene) const {
         return picture(scene) != run({reference_of(method_), *kernel_named("filtered"), Edition::corrected, scene});
     }
-    bool reaches(const std::string& label, const Scene& scene) const {
+    bool reaches(const std::string& label, const AdmittedScene& scene) const {
         std::string text;
         TraceWriter writer({method_, edition_, kernel_.name(), Detail::signs, scene},
                            [&](std::string_view part) { text += part; });
@@ -63,18 +65,22 @@ std::optional<Procedure> first_wrong(const CheckReport& report) {
 }
 
 /// The property that the options ask to keep; the scene must have it.
-Property property_of(const ShrinkOptions& options, const Trial& trial, const Scene& scene) {
+Property property_of(const ShrinkOptions& options, const Trial& trial, const AdmittedScene& scene) {
     if (options.keep == "picture") {
-        return [&trial, right = trial.picture(scene)](const Scene& smaller) { return trial.picture(smaller) == right; };
+        return [&trial, right = trial.picture(scene)](const AdmittedScene& smaller) {
+            return trial.picture(smaller) == right;
+        };
     }
     if (options.keep == "decision") {
-        Property reaches = [&](const Scene& smaller) { return trial.reaches(options.at, smaller); };
+        Property reaches = [&](const AdmittedScene& smaller) { return trial.reaches(options.at, smaller); };
         if (reaches(scene)) return reaches;
         throw Refused(options.scene + ": the run has no step at " + options.at);
     }
-    if (trial.wrong_picture(scene)) return [&](const Scene& smaller) { return trial.wrong_picture(smaller); };
+    if (trial.wrong_picture(scene)) return [&](const AdmittedScene& smaller) { return trial.wrong_picture(smaller); };
     if (const auto procedure = first_wrong(trial.check(scene))) {
-        return [&, wrong = *procedure](const Scene& smaller) { return first_wrong(trial.check(smaller)) == wrong; };
+        return [&, wrong = *procedure](const AdmittedScene& smaller) {
+            return first_wrong(trial.check(smaller)) == wrong;
+        };
     }
     throw Refused(options.scene + ": nothing fails: no decision is wrong, and no pixel");
 }
@@ -82,23 +88,23 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Sce
 int shrink(ShrinkOptions options) {
     if ((options.keep == "decision") == options.at.empty()) throw Refused("--keep decision and --at go together");
     const AnyScene given = any_scene_for(options);
-    const Scene* polygons = std::get_if<Scene>(&given);
+    const auto* polygons = std::get_if<AdmittedScene>(&given);
     if (!polygons)
         throw Refused(options.scene + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
     const Trial trial(options);
-    const Scene scene = scene_for(kernel_of(options), *polygons, options.scene);
+    const AdmittedScene scene = scene_for(kernel_of(options), *polygons, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     OutputFile file(options.output);
     Progress progress("scenes tried");
     const Property keeps = property_of(options, trial, scene);
-    const Scene smallest = shrunk(scene, [&, tried = 0ULL](const Scene& smaller) mutable {
+    const AdmittedScene smallest = shrunk(scene, [&, tried = 0ULL](const AdmittedScene& smaller) mutable {
         progress.show(++tried);
         return trial.admits(smaller) && keeps(smaller);
     });
     file.write(scene_json(smallest) + '\n');
     file.commit();
     progress.clear();
-    std::cerr << options.scene << ": " << smallest.polygons.size() << " of " << scene.polygons.size() << " polygons, "
+    std::cerr << options.scene << ": " << smallest->polygons.size() << " of " << scene->polygons.size() << " polygons, "
               << vertices_of(smallest) << " of " << vertices_of(scene) << " vertices\n";
     return 0;
 }

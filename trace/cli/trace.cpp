@@ -45,9 +45,9 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     return whole ? 0 : 1;
 }
 
-int trace_scene(const TraceOptions& options, const Scene& given) {
+int trace_scene(const TraceOptions& options, const AdmittedScene& given) {
     const NamedKernel kernel = kernel_of(options);
-    const Scene scene = scene_for(kernel, given, options.scene);
+    const AdmittedScene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     const RunRequest request = request_of(options, kernel, scene);
     return write_traced(TraceHeader{request.method, request.edition, kernel.name(), request.detail, scene}, request,

@@ -85,7 +85,7 @@ int worksheet(const WorksheetOptions& options) {
     Sheets blank(false, language), key(true, language);
     Progress progress("scenes");
     for (std::size_t i = 0; i < options.files.size(); ++i) {
-        const Scene scene = scene_from(options.files[i]);
+        const AdmittedScene scene = scene_from(options.files[i]);
         figures::expect_room(scene, options.files[i]);
         const figures::WorkedRun run(scene, method);
         blank.add(run);

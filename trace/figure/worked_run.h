@@ -34,7 +34,7 @@ struct WorkedRow {
 class WorkedRun {
 public:
     /// Runs the scene with the corrected procedures under `exact`.
-    WorkedRun(const Scene& scene, Method method);
+    WorkedRun(const AdmittedScene& scene, Method method);
     WorkedRun(const WorkedRun&) = delete;
     WorkedRun& operator=(const WorkedRun&) = delete;
 

@@ -41,15 +41,18 @@ TraceHeader read_trace_header(const JsonNode& object) {
 }
 
 FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
-    FloatingHorizonHeader header;
-    read_run(object, header);
-    if (!kernel_named(header.kernel)->choice->runs_floating_horizon(header.edition)) {
+    struct {
+        Edition edition{};
+        std::string kernel;
+        Detail detail{};
+    } run;
+    read_run(object, run);
+    if (!kernel_named(run.kernel)->choice->runs_floating_horizon(run.edition)) {
         object.at("kernel").refuse("no kernel and edition of floating-horizon");
     }
     const JsonNode scene = member(object, "scene");
     if (scene.has("function")) scene.at("function").refuse("a trace has the samples");
-    header.scene = read_whole_surface(scene);
-    return header;
+    return {run.edition, std::move(run.kernel), run.detail, read_whole_surface(scene)};
 }
 
 }  // namespace vidno

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "choice/method.h"
+#include "scene/exact_scene.h"
 #include "stability/shrink.h"
 
 namespace vidno {
@@ -87,12 +88,12 @@ const SceneGrade* ProgramGrade::first_wrong() const {
     return found == scenes.end() ? nullptr : &*found;
 }
 
-ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<Scene>& scenes,
+ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<AdmittedScene>& scenes,
                            const Grading& grading, const std::function<void(std::size_t)>& progress) {
     constexpr int enough_endless = 2;
     std::vector<SceneGrade> runs;
     int endless = 0;
-    for (const Scene& scene : scenes) {
+    for (const AdmittedScene& scene : scenes) {
         progress(runs.size());
         runs.push_back({scene, run_student(program, scene, grading.limits)});
         if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
@@ -116,7 +117,7 @@ SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGra
                             const Grading& grading, const Patience& patience, const std::function<void()>& progress) {
     const auto deadline = std::chrono::steady_clock::now() + patience.time;
     SceneGrade smallest = failing;
-    shrunk(failing.scene, [&, runs = 0](const Scene& smaller) mutable {
+    shrunk(exact_scene::admit(failing.scene), [&, runs = 0](const AdmittedScene& smaller) mutable {
         if (++runs > patience.runs || std::chrono::steady_clock::now() > deadline) return false;
         progress();
         SceneGrade grade{smaller, run_student(program, smaller, grading.limits)};

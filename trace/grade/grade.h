@@ -44,7 +44,7 @@ struct Grading {
 
 /// Runs the program on the scenes and judges the runs. Stops early after two runs that exceed the limit of time. Calls `progress` before
 /// each run with the number of runs done. Throws Refused if the program cannot be started.
-ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<Scene>& scenes,
+ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<AdmittedScene>& scenes,
                            const Grading& grading, const std::function<void(std::size_t)>& progress);
 
 /// Judges the text of an existing trace.

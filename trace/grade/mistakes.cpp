@@ -6,6 +6,7 @@
 #include <set>
 
 #include "run/run.h"
+#include "scene/exact_scene.h"
 
 namespace vidno {
 
@@ -39,7 +40,8 @@ Judgement judgement_of(Deviation deviation, const TraceHeader& of, const Kinds& 
     const bool in_single = precision == Precision::single && single.choice->runs(of.method, deviation);
     const NamedKernel kernel = in_single ? single : *kernel_named("double");
     Filter filter(kinds);
-    run({of.method, kernel, deviation, of.scene, Detail::signs, &filter});
+    const AdmittedScene scene = exact_scene::admit(of.scene);
+    run({of.method, kernel, deviation, scene, Detail::signs, &filter});
     // Level `windows` has no call stack, so the state accepts events without their calls.
     const TraceHeader header{of.method, Edition(deviation), kernel.name(), Detail::windows, of.scene};
     return judge(header, filter.events, true, precision);

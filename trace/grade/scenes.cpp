@@ -1,7 +1,6 @@
 #include "grade/scenes.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -33,23 +32,21 @@ Vertices tilted(const std::vector<std::pair<double, double>>& outline, double at
     return vertices;
 }
 
-Scene scene(std::string name, const Area& area, const std::vector<Vertices>& polygons) {
+AdmittedScene scene(std::string name, const Area& area, const std::vector<Vertices>& polygons) {
     Scene made{std::move(name), area, {255, 255, 255}, {}};
     for (const auto& vertices : polygons) {
         const std::size_t i = made.polygons.size();
         made.polygons.push_back({std::string(1, char('A' + i)), colors[i % colors.size()], vertices});
-        [[maybe_unused]] const Admitted admitted = exact_scene::admit(made.polygons.back());
-        assert(admitted.admission == Admission::admitted);
     }
-    return made;
+    return exact_scene::admit(std::move(made));
 }
 
 /// About two millionths: a millionth of the range from -1 to 1. At these coordinates `float` cannot resolve it.
 constexpr double gap = 0x1p-19;
 
-Scene on(Color background, Scene scene) {
+AdmittedScene on(Color background, Scene scene) {
     scene.background = background;
-    return scene;
+    return exact_scene::admit(std::move(scene));
 }
 
 /// Three to seven polygons of three to eight vertices on ellipses, on planes of their own, in an area of any size.
@@ -85,7 +82,7 @@ Scene convex_polygons(RandomPolygons& random) {
 
 }  // namespace
 
-std::vector<Scene> scenes_to_grade() {
+std::vector<AdmittedScene> scenes_to_grade() {
     constexpr Area square{0, 0, 16, 16};
     return {
         scene("Two triangles apart", square,
@@ -224,13 +221,14 @@ std::vector<Scene> scenes_to_grade() {
     };
 }
 
-std::vector<Scene> random_scenes_to_grade(unsigned seed, int count) {
+std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count) {
     RandomPolygons random{std::mt19937(seed)};
-    std::vector<Scene> scenes;
+    std::vector<AdmittedScene> scenes;
     for (int i = 0; i < count; ++i) {
-        scenes.push_back(i % 2 == 0 ? convex_polygons(random)
-                                    : random_scene(families[std::size_t(i / 2) % families.size()], random));
-        scenes.back().name = "Random, " + std::to_string(i + 1) + ": " + scenes.back().name;
+        Scene scene =
+            i % 2 == 0 ? convex_polygons(random) : random_scene(families[std::size_t(i / 2) % families.size()], random);
+        scene.name = "Random, " + std::to_string(i + 1) + ": " + scene.name;
+        scenes.push_back(exact_scene::admit(std::move(scene)));
     }
     return scenes;
 }

@@ -48,14 +48,14 @@ std::vector<Symmetry> symmetries_of(const Area& area) {
     return symmetries;
 }
 
-Scene moved(Scene scene, const Symmetry& by) {
+AdmittedScene moved(Scene scene, const Symmetry& by) {
     for (auto& polygon : scene.polygons) {
         for (auto& vertex : polygon.vertices) {
             const glm::dvec2 place = by.of(vertex.x, vertex.y, scene.area);
             vertex = {place.x, place.y, vertex.z};
         }
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
 bool are_alike(const Picture& picture, const Picture& other) {
@@ -156,22 +156,22 @@ struct Reach {
 
 class Walk {
 public:
-    Walk(const Scene& original, Method method, std::uint64_t seed)
+    Walk(const AdmittedScene& original, Method method, std::uint64_t seed)
         : scene_(original),
           method_(method),
           reach_(original),
           profile_(profiled_run(original, method).profile),
           random_(generator(seed)) {
-        for (const auto& polygon : original.polygons) {
+        for (const auto& polygon : original->polygons) {
             lattices_.push_back(lattice_of(polygon));
             turns_.push_back(turns_of(polygon.vertices));
         }
     }
 
-    const Scene& scene() const { return scene_; }
+    const AdmittedScene& scene() const { return scene_; }
 
     /// Runs the scene. Returns its picture if the run is as hard as that of the original, otherwise nothing.
-    std::optional<Picture> picture_if_as_hard(const Scene& scene) const {
+    std::optional<Picture> picture_if_as_hard(const AdmittedScene& scene) const {
         auto [profile, picture] = profiled_run(scene, method_);
         if (!is_as_hard(profile, profile_)) return std::nullopt;
         return std::move(picture);
@@ -179,17 +179,19 @@ public:
 
     /// Tries a step. Returns whether it was taken.
     bool step() {
-        const auto place = std::size_t(random_.whole(0, int(scene_.polygons.size()) - 1));
+        const auto place = std::size_t(random_.whole(0, int(scene_->polygons.size()) - 1));
         Scene changed = scene_;
         auto& polygon = changed.polygons[place];
         change(polygon.vertices, lattices_[place]);
-        if (!may_be(polygon, place) || !picture_if_as_hard(changed)) return false;
-        scene_ = std::move(changed);
+        if (!may_be(polygon, place)) return false;
+        AdmittedScene next = admit(std::move(changed));
+        if (!picture_if_as_hard(next)) return false;
+        scene_ = std::move(next);
         return true;
     }
 
     Symmetry symmetry() {
-        const auto all = symmetries_of(scene_.area);
+        const auto all = symmetries_of(scene_->area);
         return all[std::size_t(random_.whole(0, int(all.size()) - 1))];
     }
 
@@ -205,8 +207,8 @@ private:
         return std::ldexp(random_.whole(-most, most), -places);
     }
     glm::dvec2 way(const Resolution& lattice) {
-        const double x = steps(lattice.xy, scene_.area.width);
-        return {x, steps(lattice.xy, scene_.area.height)};
+        const double x = steps(lattice.xy, scene_->area.width);
+        return {x, steps(lattice.xy, scene_->area.height)};
     }
 
     void change(Vertices& vertices, const Resolution& lattice) {
@@ -248,15 +250,15 @@ private:
     }
 
     bool may_be(ScenePolygon& polygon, std::size_t place) const {
-        const ScenePolygon& before = scene_.polygons[place];
+        const ScenePolygon& before = scene_->polygons[place];
         const auto& vertices = polygon.vertices;
         return vertices != before.vertices && is_on(lattices_[place], vertices) && reach_.holds(vertices) &&
                turns_of(vertices) == turns_[place] && is_planar_exactly(vertices) &&
-               admit(polygon).admission == Admission::admitted && polygon.edge_on == before.edge_on &&
+               admit_polygon(polygon).admission == Admission::admitted && polygon.edge_on == before.edge_on &&
                vertices.size() == before.vertices.size();
     }
 
-    Scene scene_;
+    AdmittedScene scene_;
     Method method_;
     Reach reach_;
     Profile profile_;
@@ -281,12 +283,12 @@ void expect_by_hand(const Scene& scene, const std::string& file) {
     }
 }
 
-std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
-                                const std::function<void(std::size_t)>& progress) {
+std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method method, std::size_t count,
+                                        std::uint64_t seed, const std::function<void(std::size_t)>& progress) {
     Walk walk(scene, method, seed);
-    std::vector<Scene> exercises;
+    std::vector<AdmittedScene> exercises;
     std::vector<Picture> pictures{profiled_run(scene, method).picture};
-    const auto take_if_new = [&](Scene candidate) {
+    const auto take_if_new = [&](AdmittedScene candidate) {
         auto picture = walk.picture_if_as_hard(candidate);
         const auto is_alike = [&](const Picture& other) { return are_alike(*picture, other); };
         if (!picture || std::any_of(pictures.begin(), pictures.end(), is_alike)) return false;
@@ -294,7 +296,7 @@ std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t c
         exercises.push_back(std::move(candidate));
         return true;
     };
-    const std::size_t steps_apart = 2 * scene.polygons.size();
+    const std::size_t steps_apart = 2 * scene->polygons.size();
     std::size_t taken = 0;
     for (int tried = 0; exercises.size() < count && tried < most_steps; ++tried) {
         progress(exercises.size());

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "choice/edition.h"
-#include "vidno/scene.h"
+#include "vidno/admitted.h"
 
 namespace vidno {
 
@@ -29,7 +29,7 @@ inline constexpr std::size_t most_exercises = 1000;
 void expect_by_hand(const Scene& scene, const std::string& file);
 
 /// `progress` hears the number of exercises so far, at each attempt.
-std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
-                                const std::function<void(std::size_t)>& progress);
+std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method method, std::size_t count,
+                                        std::uint64_t seed, const std::function<void(std::size_t)>& progress);
 
 }  // namespace vidno

@@ -88,7 +88,7 @@ bool is_about(std::uint64_t count, std::uint64_t other, std::uint64_t part) {
 
 }  // namespace
 
-ProfiledRun profiled_run(const Scene& scene, Method method) {
+ProfiledRun profiled_run(const AdmittedScene& scene, Method method) {
     Profiler profiler(scene);
     Picture picture = run({method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &profiler});
     return {profiler.profile(picture), std::move(picture)};

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "choice/edition.h"
+#include "vidno/admitted.h"
 #include "vidno/picture.h"
 
 namespace vidno {
@@ -33,7 +34,7 @@ struct ProfiledRun {
 };
 
 /// Runs the corrected edition; every decision is right.
-ProfiledRun profiled_run(const Scene& scene, Method method);
+ProfiledRun profiled_run(const AdmittedScene& scene, Method method);
 
 bool is_as_hard(const Profile& profile, const Profile& as);
 

@@ -127,7 +127,7 @@ private:
 
     /// The face itself, or the triangles it is cut into; none if it is dropped.
     std::vector<ScenePolygon> convex_parts(ScenePolygon face) {
-        const Admitted admitted = admit_in_world(face);
+        const PolygonAdmission admitted = admit_in_world(face);
         if (admitted.admission == Admission::too_few_vertices || face.edge_on) {
             ++without_area_;
             return {};
@@ -163,8 +163,7 @@ SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, c
         throw Refused(file + ": the size is not from 1 to " + std::to_string(largest_side) + " pixels a side");
     }
     const MeshSoup mesh = read_mesh_soup(bytes, file);
-    SceneWithWarnings result;
-    Scene& scene = result.scene;
+    Scene scene;
     scene.name = scene_name(file);
     scene.area = {0, 0, options.width, options.height};
     scene.background = options.background;
@@ -177,11 +176,10 @@ SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, c
     try {
         Importer importer(mesh, camera, scene);
         importer.import();
-        result.warnings.push_back(file + ": " + importer.report());
+        return {admit(std::move(scene)), {file + ": " + importer.report()}};
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());
     }
-    return result;
 }
 
 }  // namespace vidno

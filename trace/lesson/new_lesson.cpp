@@ -172,7 +172,7 @@ Files files_of(const std::vector<std::string>& runs, const std::vector<std::stri
             {"story.ru.md", with_count(in_russian, count).append(questions_in_russian)}};
 }
 
-Files lesson_on(const Scene& scene) {
+Files lesson_on(const AdmittedScene& scene) {
     LessonRun windows, rows;
     windows.name = "windows";
     windows.method = method_names[std::size_t(Method::warnock)];
@@ -195,7 +195,7 @@ Files lesson_on(const Surface& surface) {
     lines.name = "lines";
     lines.method = floating_horizon_method;
     lines.detail = column_count(surface.curves) > most_with_signs ? Detail::windows : Detail::signs;
-    const auto count = std::uint64_t(surface.curves.curves.size());
+    const auto count = std::uint64_t(surface.curves->curves.size());
     const Json curve{{"e", "curve"}}, line{{"e", "draw_line"}};
     const std::vector<std::string> pins{pin_json("curves", {{"find", {curve}}, {"times", count}}),
                                         pin_json("first", {{"find", {line}}})};

@@ -26,7 +26,7 @@ AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
     if (run.of_curves()) return read_surface(read_file(file), file);
     const bool is_mesh = !file.ends_with(".json");
-    Scene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    AdmittedScene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
     if (const auto reason = refusal_of(method_of(run), scene)) {
         throw Refused(file + ": not for " + run.method + ": " + *reason);
     }
@@ -39,9 +39,9 @@ void write_request(const auto& request, TraceWriter& writer, const LessonRun& ru
     run.check ? write_checked_trace(request, writer) : write_trace(request, writer);
 }
 
-void trace_scene(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
+void trace_scene(const AdmittedScene& scene, const LessonRun& run, const TraceWriter::Write& write) {
     const NamedKernel kernel = *kernel_named(run.kernel);
-    const Scene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
+    const AdmittedScene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
     TraceWriter writer(TraceHeader{method_of(run), run.edition, kernel.name(), run.detail, ran}, write);
     write_request(RunRequest{method_of(run), kernel, run.edition, ran, run.detail}, writer, run);
 }

@@ -359,7 +359,7 @@ Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace pol
                   collector.procedure(),
                   polygon,
                   vertex,
-                  request.scene.polygons[std::size_t(polygon.index)].vertices[std::size_t(vertex)],
+                  request.scene->polygons[std::size_t(polygon.index)].vertices[std::size_t(vertex)],
                   {}};
     for (auto& [value, sign, flips, bounds] : sides) {
         const auto fraction = [](const Rational& of) { return Fraction{Exact::fraction(of)}; };

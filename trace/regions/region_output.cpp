@@ -13,11 +13,11 @@ public:
 
     std::string text() {
         out_ += R"({"format":"vidno-regions/1","name":)";
-        append_string(out_, request_.scene.name);
+        append_string(out_, request_.scene->name);
         out_ += R"(,"kernel":)";
         append_string(out_, request_.kernel.name());
         out_ += R"(,"window":)";
-        append_area(out_, request_.scene.area);
+        append_area(out_, request_.scene->area);
         out_ += R"(,"regions":[)";
         for (const auto& region : regions_) {
             out_ += &region == regions_.data() ? "\n" : ",\n";
@@ -36,7 +36,7 @@ private:
         out_ += R"({"polygon":)";
         out_ += names_[place];
         out_ += R"(,"color":)";
-        append_color(out_, request_.scene.polygons[place].color);
+        append_color(out_, request_.scene->polygons[place].color);
         out_ += R"(,"area":)";
         number(region.area);
         out_ += R"(,"loops":)";

@@ -9,7 +9,7 @@ namespace vidno {
 struct FloatingHorizonRequest {
     NamedKernel kernel;  // one that runs curves, in this edition
     Edition edition;
-    const CurveScene& scene;
+    const AdmittedCurves& scene;
     Detail detail = Detail::windows;
     EventSink* sink = nullptr;               // none: no trace
     std::function<void()> progress = [] {};  // without a trace, called at each curve; checked, at each step

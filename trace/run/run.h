@@ -22,7 +22,7 @@ struct RunRequest {
     Method method;
     NamedKernel kernel;
     Edition edition;
-    const Scene& scene;
+    const AdmittedScene& scene;
     Detail detail = Detail::windows;
     EventSink* sink = nullptr;  // none: no trace
     /// The side of the smallest window of Warnock's algorithm. A trace does not contain it.

@@ -10,11 +10,12 @@ namespace vidno {
 
 namespace exact_scene {
 
-Admitted admit(ScenePolygon& polygon) { return vidno::admit(polygon); }
-Admitted admit_in_world(ScenePolygon& polygon) { return vidno::admit_in_world(polygon); }
+AdmittedScene admit(Scene scene) { return vidno::admit(std::move(scene)); }
+PolygonAdmission admit_polygon(ScenePolygon& polygon) { return vidno::admit_polygon(polygon); }
+PolygonAdmission admit_in_world(ScenePolygon& polygon) { return vidno::admit_in_world(polygon); }
 std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon) { return vidno::cut_into_triangles(polygon); }
 Seen look(const View& view, const ScenePolygon& world) { return vidno::look(view, world); }
-Scene snapped(Scene scene, Resolution to) { return vidno::snapped(std::move(scene), to); }
+AdmittedScene snapped(const AdmittedScene& scene, Resolution to) { return vidno::snapped(scene, to); }
 std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping) {
     return vidno::snapped(polygon, to, snapping);
 }

@@ -11,11 +11,12 @@
 
 namespace vidno::exact_scene {
 
-Admitted admit(ScenePolygon& polygon);
-Admitted admit_in_world(ScenePolygon& polygon);
+AdmittedScene admit(Scene scene);
+PolygonAdmission admit_polygon(ScenePolygon& polygon);
+PolygonAdmission admit_in_world(ScenePolygon& polygon);
 std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon);
 Seen look(const View& view, const ScenePolygon& world);
-Scene snapped(Scene scene, Resolution to);
+AdmittedScene snapped(const AdmittedScene& scene, Resolution to);
 std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping);
 
 /// Whether `count` numbers start, start + step, start + 2 step and so on are doubles without rounding.

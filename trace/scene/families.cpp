@@ -188,7 +188,7 @@ const std::array<Family, 2> curve_families{{
     {"crossing-curves", "curves that cross anywhere", nullptr, crossing_curves},
 }};
 
-Scene random_scene(const Family& family, RandomPolygons& random) {
+AdmittedScene random_scene(const Family& family, RandomPolygons& random) {
     Scene scene;
     scene.name = family.name;
     scene.area = {random.whole(-20, 20), random.whole(-20, 20), family_side, family_side};
@@ -204,38 +204,36 @@ Scene random_scene(const Family& family, RandomPolygons& random) {
     for (int groups = random.whole(2, 4); groups > 0; --groups) {
         for (auto& vertices : family.group(random, scene.area)) add(std::move(vertices));
     }
-    return admitted(scene);
+    return admitted(std::move(scene));
 }
 
-Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random) {
+AdmittedScene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random) {
     for (auto& polygon : scene.polygons) {
         for (auto& vertex : polygon.vertices) {
             for (int axis = 0; axis < 3; ++axis) vertex[axis] = moved(vertex[axis], ulps_up_to(most, random));
         }
     }
-    return admitted(scene);
+    return admitted(std::move(scene));
 }
 
-CurveScene moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random) {
+AdmittedCurves moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random) {
     for (auto& curve : scene.curves) {
         for (auto& sample : curve.samples) sample.y = moved(sample.y, ulps_up_to(most, random));
     }
-    return scene;
+    return admit(std::move(scene));
 }
 
-Scene admitted(const Scene& scene) {
-    Scene result = scene;
-    result.polygons.clear();
-    for (auto polygon : scene.polygons) {
+AdmittedScene admitted(Scene scene) {
+    for (ScenePolygon& polygon : std::exchange(scene.polygons, {})) {
         for (auto& vertex : polygon.vertices) vertex.z = std::clamp(vertex.z, -1.0, 1.0);
-        if (exact_scene::admit(polygon).admission == Admission::admitted) {
-            result.polygons.push_back(std::move(polygon));
+        if (exact_scene::admit_polygon(polygon).admission == Admission::admitted) {
+            scene.polygons.push_back(std::move(polygon));
         } else {
             const auto parts = exact_scene::cut_into_triangles(polygon);
-            result.polygons.insert(result.polygons.end(), parts.begin(), parts.end());
+            scene.polygons.insert(scene.polygons.end(), parts.begin(), parts.end());
         }
     }
-    return result;
+    return exact_scene::admit(std::move(scene));
 }
 
 }  // namespace vidno

@@ -92,15 +92,15 @@ inline constexpr std::size_t first_families = 9;
 inline constexpr int family_side = 8;
 
 /// Two to four groups in an area of family_side pixels each way, somewhere; half of the time in front of a backdrop.
-Scene random_scene(const Family& family, RandomPolygons& random);
+AdmittedScene random_scene(const Family& family, RandomPolygons& random);
 
 /// Each coordinate is moved by at most `most` ulps.
-Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random);
+AdmittedScene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random);
 /// The same for each height.
-CurveScene moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
+AdmittedCurves moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
 
 /// Makes a scene valid after its vertices were changed: z between -1 and 1, and polygons that are no longer planar or convex cut into
 /// triangles.
-Scene admitted(const Scene& scene);
+AdmittedScene admitted(Scene scene);
 
 }  // namespace vidno

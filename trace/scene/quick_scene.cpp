@@ -99,7 +99,7 @@ private:
         if (!read || polygon.id.size() > longest_id) return false;
         if (!has_id) polygon.id = std::to_string(position);
         if (!has_color) polygon.color = default_color(position);
-        const Admitted admitted = exact_scene::admit(polygon);
+        const PolygonAdmission admitted = exact_scene::admit_polygon(polygon);
         return admitted.admission == Admission::admitted && admitted.dropped == 0;
     }
 

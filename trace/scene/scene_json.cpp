@@ -82,21 +82,20 @@ public:
         root.object();
         root.expect_format(scene_format);
         expect_keys(root);
-        Scene& scene = result_.scene;
-        read_member(root, "name", [&](const JsonNode& node) { scene.name = node.text(); });
-        const bool has_window = read_member(root, "window", [&](const JsonNode& node) { scene.area = node.window(); });
-        read_member(root, "background", [&](const JsonNode& node) { scene.background = node.color(); });
+        read_member(root, "name", [&](const JsonNode& node) { scene_.name = node.text(); });
+        const bool has_window = read_member(root, "window", [&](const JsonNode& node) { scene_.area = node.window(); });
+        read_member(root, "background", [&](const JsonNode& node) { scene_.background = node.color(); });
         if (has_window || !root.has("window")) {
             read_member(root, "camera", [&](const JsonNode& node) {
                 if (!has_window) root.refuse("\"window\" is missing, which a camera needs");
-                const auto camera = read_camera(node, scene.area, faults_);
-                if (camera) view_ = view_of(*camera, scene.area);
+                const auto camera = read_camera(node, scene_.area, faults_);
+                if (camera) view_ = view_of(*camera, scene_.area);
             });
         }
         read_member(root, "polygons", [&](const JsonNode& node) { read_polygons(node, root.has("camera")); });
         faults_.settle();
         if (!has_window) take_default_window(root);
-        return std::move(result_);
+        return {exact_scene::admit(std::move(scene_)), std::move(warnings_)};
     }
 
 private:
@@ -116,13 +115,12 @@ private:
     }
 
     void take_default_window(const JsonNode& root) {
-        const auto window = default_window(result_.scene.polygons);
+        const auto window = default_window(scene_.polygons);
         if (!window) {
-            root.refuse(result_.scene.polygons.empty()
-                            ? "\"window\" is missing, and there are no vertices to reach over"
-                            : "\"window\" is missing, and the vertices reach too far for one");
+            root.refuse(scene_.polygons.empty() ? "\"window\" is missing, and there are no vertices to reach over"
+                                                : "\"window\" is missing, and the vertices reach too far for one");
         }
-        result_.scene.area = *window;
+        scene_.area = *window;
     }
 
     /// The polygon without a check of its shape; none if it has errors.
@@ -179,20 +177,20 @@ private:
                 }
             });
         }
-        if (result_.scene.polygons.size() > most_polygons) {
+        if (scene_.polygons.size() > most_polygons) {
             node.refuse("cut into more than " + std::to_string(most_polygons) + " polygons");
         }
     }
 
     void add(const JsonNode& node, ScenePolygon polygon, std::size_t position) {
-        const Admitted admitted = exact_scene::admit(polygon);
+        const PolygonAdmission admitted = exact_scene::admit_polygon(polygon);
         if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
         warn_of_dropped(position, admitted.dropped);
-        result_.scene.polygons.push_back(std::move(polygon));
+        scene_.polygons.push_back(std::move(polygon));
     }
 
     void add_seen(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
-        const Admitted admitted = exact_scene::admit_in_world(polygon);
+        const PolygonAdmission admitted = exact_scene::admit_in_world(polygon);
         if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
         if (!view_) return;
         Seen seen = exact_scene::look(*view_, polygon);
@@ -206,7 +204,7 @@ private:
             warn(position, "cut into " + std::to_string(seen.polygons.size()) + " triangles, for rounding bent it");
         }
         part_ids.name(seen.polygons);
-        for (auto& part : seen.polygons) result_.scene.polygons.push_back(std::move(part));
+        for (auto& part : seen.polygons) scene_.polygons.push_back(std::move(part));
     }
 
     void warn_of_dropped(std::size_t position, std::size_t count) {
@@ -215,14 +213,15 @@ private:
     }
 
     void warn(std::size_t position, const std::string& what) {
-        result_.warnings.push_back(file_ + ": /polygons/" + std::to_string(position) + ": " + what);
+        warnings_.push_back(file_ + ": /polygons/" + std::to_string(position) + ": " + what);
     }
 
     std::string file_;
     Defaults defaults_;
     Faults faults_;
     std::optional<View> view_;
-    SceneWithWarnings result_;
+    Scene scene_;
+    std::vector<std::string> warnings_;
 };
 
 void append_vertex(Text& out, const glm::dvec3& vertex) {
@@ -251,13 +250,13 @@ void append_polygon(Text& out, const ScenePolygon& polygon) {
 }  // namespace
 
 SceneWithWarnings read_scene(std::string_view text, const std::string& file) {
-    if (auto scene = read_quickly(text)) return {std::move(*scene), {}};
+    if (auto scene = read_quickly(text)) return {exact_scene::admit(std::move(*scene)), {}};
     return read_json(text, file, [&](const JsonNode& root) { return SceneReader(file).read(root); });
 }
 
 SceneWithWarnings read_scene(const JsonNode& node, const std::string& file) { return SceneReader(file).read(node); }
 
-Scene read_whole_scene(const JsonNode& node) { return SceneReader("", Defaults::none).read(node).scene; }
+AdmittedScene read_whole_scene(const JsonNode& node) { return SceneReader("", Defaults::none).read(node).scene; }
 
 std::string scene_json(const Scene& scene) {
     Text out;

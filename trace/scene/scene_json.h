@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "vidno/scene.h"
+#include "vidno/admitted.h"
 
 namespace vidno {
 
 class JsonNode;
 
 struct SceneWithWarnings {
-    Scene scene;                        // admitted: convex, planar, edge-on decided; a camera is applied already
+    AdmittedScene scene;                // a camera is applied already
     std::vector<std::string> warnings;  // what was dropped or cut; each line begins with the file
 };
 
@@ -24,7 +24,7 @@ SceneWithWarnings read_scene(std::string_view text, const std::string& file);
 SceneWithWarnings read_scene(const JsonNode& node, const std::string& file);
 
 /// A scene with everything that its pictures depend on, as in the header of a trace. Throws Misread.
-Scene read_whole_scene(const JsonNode& node);
+AdmittedScene read_whole_scene(const JsonNode& node);
 
 /// The scene as JSON on one line, always the same bytes; read_scene reads back the same scene.
 std::string scene_json(const Scene& scene);

@@ -40,25 +40,27 @@ std::string SnappedScene::change() const {
     return words;
 }
 
-SnappedScene snapped_scene(const Scene& scene, int bits) {
+SnappedScene snapped_scene(const AdmittedScene& admitted, int bits) {
+    const Scene& scene = *admitted;
     if (!fits_grid(scene, bits)) {
         const int finest = finest_grid_of(scene);
         throw Refused("the scene is too wide for a grid of 1/2^" + std::to_string(bits) + " pixel; " +
                       (finest > 0 ? "grid:" + std::to_string(finest) + " is the finest that fits" : "none fits"));
     }
-    SnappedScene snapped{scene, {}, {}};
-    snapped.scene.polygons.clear();
+    Scene snapped{scene.name, scene.area, scene.background, {}};
+    std::vector<std::size_t> sources;
+    Snapping snapping;
     std::unordered_set<std::string> ids;
     for (const auto& polygon : scene.polygons) ids.insert(polygon.id);
     PartIds part_ids(std::move(ids));
     for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
-        auto parts = exact_scene::snapped(scene.polygons[i], {bits}, snapped.snapping);
+        auto parts = exact_scene::snapped(scene.polygons[i], {bits}, snapping);
         part_ids.name(parts);
-        snapped.sources.insert(snapped.sources.end(), parts.size(), i);
-        std::move(parts.begin(), parts.end(), std::back_inserter(snapped.scene.polygons));
+        sources.insert(sources.end(), parts.size(), i);
+        std::move(parts.begin(), parts.end(), std::back_inserter(snapped.polygons));
     }
-    if (snapped.scene.polygons.size() > most_polygons) throw Refused("more than 2^20 polygons, cut for the grid");
-    return snapped;
+    if (snapped.polygons.size() > most_polygons) throw Refused("more than 2^20 polygons, cut for the grid");
+    return {exact_scene::admit(std::move(snapped)), std::move(sources), snapping};
 }
 
 }  // namespace vidno

@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "vidno/admitted.h"
 #include "vidno/resolution.h"
 
 namespace vidno {
 
 struct SnappedScene {
-    Scene scene;                       // the triangles that a polygon was cut into have its id and a number
+    AdmittedScene scene;               // the triangles that a polygon was cut into have its id and a number
     std::vector<std::size_t> sources;  // for each polygon, the one that it was made from
     Snapping snapping;
 
@@ -20,6 +21,6 @@ struct SnappedScene {
 int finest_grid_of(const Scene& scene);
 
 /// Throws Refused if the kernel's numbers cannot hold the scene.
-SnappedScene snapped_scene(const Scene& scene, int bits);
+SnappedScene snapped_scene(const AdmittedScene& scene, int bits);
 
 }  // namespace vidno

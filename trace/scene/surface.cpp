@@ -105,14 +105,14 @@ public:
         if (has_function()) {
             const FunctionSurface function = function_surface();
             faults_.settle();
-            surface_.curves.curves = samples_of(function, root_);
+            curves_.curves = samples_of(function, root_);
         } else {
             read_member("curves", [&](const JsonNode& node) { read_curves(node); });
             faults_.settle();
         }
-        expect_few_samples(root_.at("curves"), sample_count(surface_.curves));
+        expect_few_samples(root_.at("curves"), sample_count(curves_));
         take_default_window();
-        return std::move(surface_);
+        return {std::move(name_), admit(std::move(curves_))};
     }
 
     /// Requires a surface given as a function that is finite over each column.
@@ -124,10 +124,10 @@ public:
         Function function;
         function.surface = function_surface();
         faults_.settle();
-        surface_.curves.curves = samples_of(on_each_column(function.surface), root_);
+        curves_.curves = samples_of(on_each_column(function.surface), root_);
         take_default_window();
-        function.name = surface_.name;
-        function.area = surface_.curves.area;
+        function.name = name_;
+        function.area = curves_.area;
         function.file = root_.object().dump();
         return function;
     }
@@ -151,8 +151,8 @@ private:
     }
 
     void read_name_and_window() {
-        read_member("name", [&](const JsonNode& node) { surface_.name = node.text(); });
-        Area& area = surface_.curves.area;
+        read_member("name", [&](const JsonNode& node) { name_ = node.text(); });
+        Area& area = curves_.area;
         has_window_ = read_member("window", [&](const JsonNode& node) { area = node.window(); });
     }
 
@@ -173,7 +173,7 @@ private:
         read_member("view", [&](const JsonNode& node) {
             surface.view = read_view(node);
             most_samples_a_curve = surface.view.across.columns + 1;
-            if (has_curves && has_window_) expect_in_window(node, surface.view, surface.curves, surface_.curves.area);
+            if (has_curves && has_window_) expect_in_window(node, surface.view, surface.curves, curves_.area);
         });
         read_member("samples",
                     [&](const JsonNode& node) { surface.samples = node.whole_number(2, most_samples_a_curve); });
@@ -184,12 +184,12 @@ private:
     void read_curves(const JsonNode& node) {
         if (node.size() > std::size_t(most_curves)) node.refuse("more than " + std::to_string(most_curves) + " curves");
         for (std::size_t i = 0; i < node.size(); ++i) {
-            faults_.attempt([&] { surface_.curves.curves.push_back(read_curve(node.at(i))); });
+            faults_.attempt([&] { curves_.curves.push_back(read_curve(node.at(i))); });
         }
     }
 
     Curve read_curve(const JsonNode& node) {
-        const Area& area = has_window_ ? surface_.curves.area : any_columns;
+        const Area& area = has_window_ ? curves_.area : any_columns;
         Curve curve;
         if (node.size() < 2) node.refuse("fewer than two samples");
         for (std::size_t i = 0; i < node.size(); ++i) {
@@ -208,25 +208,30 @@ private:
 
     void take_default_window() {
         if (has_window_) return;
-        const auto window = default_window(surface_.curves.curves);
+        const auto window = default_window(curves_.curves);
         if (!window) {
-            root_.refuse(surface_.curves.curves.empty()
-                             ? "\"window\" is missing, and there are no samples to reach over"
-                             : "\"window\" is missing, and the samples reach too far for one");
+            root_.refuse(curves_.curves.empty() ? "\"window\" is missing, and there are no samples to reach over"
+                                                : "\"window\" is missing, and the samples reach too far for one");
         }
-        surface_.curves.area = *window;
+        curves_.area = *window;
     }
 
     const JsonNode& root_;
     Defaults defaults_;
     Faults faults_;
     bool has_window_ = false;
-    Surface surface_;
+    std::string name_;
+    CurveScene curves_;
 };
 
 Surface read(const JsonNode& root) { return SurfaceReader(root).surface(); }
 
 }  // namespace
+
+std::string name_of(const AnyScene& scene) {
+    const auto* surface = std::get_if<Surface>(&scene);
+    return surface ? surface->name : std::get<AdmittedScene>(scene)->name;
+}
 
 std::size_t sample_count(const CurveScene& curves) {
     return std::accumulate(curves.curves.begin(), curves.curves.end(), std::size_t{0},
@@ -250,7 +255,7 @@ Function read_function(std::string_view text, const std::string& file) {
 }
 
 std::string surface_json(const Surface& surface) {
-    const auto& [area, curves] = surface.curves;
+    const auto& [area, curves] = *surface.curves;
     Text out;
     out += "{\"format\":\"";
     out += surface_format;

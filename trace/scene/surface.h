@@ -13,12 +13,15 @@ class JsonNode;
 
 struct Surface {
     std::string name;
-    CurveScene curves;
+    AdmittedCurves curves;
     bool operator==(const Surface&) const = default;
 };
 
 /// The contents of a scene file: polygons, or curves.
-using AnyScene = std::variant<Scene, Surface>;
+using AnyScene = std::variant<AdmittedScene, Surface>;
+
+/// The name that its file gives it; may be empty.
+std::string name_of(const AnyScene& scene);
 
 /// The total number of samples.
 std::size_t sample_count(const CurveScene& curves);

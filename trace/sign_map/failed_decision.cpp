@@ -25,7 +25,8 @@ MappedDecision failed_decision(const Failure& failure, const std::string& file) 
     const auto* orient = found.event ? found.event->get_if<event::Orient>() : nullptr;
     if (!orient) throw Refused(file + ": fails at no orientation, which a map could show: " + found.there.english);
 
-    const auto& vertices = std::get<Scene>(*failure.scene).polygons[std::size_t(orient->polygon.index)].vertices;
+    const auto& vertices =
+        std::get<AdmittedScene>(*failure.scene)->polygons[std::size_t(orient->polygon.index)].vertices;
     const auto from = std::size_t(orient->edge);
     const glm::dvec2 point{orient->point.x.number, orient->point.y.number};
     MappedDecision decision{failure.title.english, {}, std::max(spacing_at(point.x), spacing_at(point.y)), {}};

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> pivot_names{"p", "q", "r"};
 ScenePolygon polygon_of(const JsonNode& node, auto&& vertex_of) {
     ScenePolygon polygon;
     for (std::size_t i = 0; i < node.size(); ++i) polygon.vertices.push_back(vertex_of(node.at(i)));
-    const auto [admission, dropped] = exact_scene::admit(polygon);
+    const auto [admission, dropped] = exact_scene::admit_polygon(polygon);
     if (admission != Admission::admitted) node.refuse(reason_of(admission));
     if (dropped > 0) node.refuse(reason_of(Admission::not_convex));
     if (polygon.edge_on) node.refuse("seen edge-on");

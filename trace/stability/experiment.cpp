@@ -7,19 +7,20 @@
 
 #include "check/check.h"
 #include "choice/method.h"
+#include "scene/exact_scene.h"
 #include "scene/snapped_scene.h"
 
 namespace vidno {
 
 namespace {
 
-using Series = std::vector<Scene>;
+using Series = std::vector<AdmittedScene>;
 using Pictures = std::vector<Picture>;
 
 // ------------------------------------------------------------------------------------- the scenes of a trial
 
 Series moved_by(const Family& family, RandomPolygons& random, std::int64_t ulps) {
-    const Scene scene = random_scene(family, random);
+    const AdmittedScene scene = random_scene(family, random);
     return {ulps > 0 ? moved_by_ulps(scene, ulps, random) : scene};
 }
 
@@ -32,7 +33,7 @@ Series swept_over(const Family& family, RandomPolygons& random, StepOf step_of) 
     for (int i = -128; i <= 128; ++i) {
         Scene scene = halfway;
         for (auto& vertex : scene.polygons.back().vertices) vertex.x += i * step;
-        series.push_back(admitted(scene));
+        series.push_back(admitted(std::move(scene)));
     }
     return series;
 }
@@ -58,10 +59,10 @@ void move(Scene& scene, auto&& where) {
 /// A scene near coincidences, and its transformed versions.
 template <class Change>
 Series changed_by(const Family& family, RandomPolygons& random, Change change) {
-    const Scene scene = moved_by_ulps(random_scene(family, random), 1, random);
+    const AdmittedScene scene = moved_by_ulps(random_scene(family, random), 1, random);
     Scene other = scene;
     change(other);
-    return {scene, admitted(other)};
+    return {scene, admitted(std::move(other))};
 }
 
 Series begun_elsewhere(const Family& family, RandomPolygons& random, std::int64_t) {
@@ -107,7 +108,7 @@ Series doubled(const Family& family, RandomPolygons& random, std::int64_t) {
 Series grown_to(const Family& family, RandomPolygons& random, std::int64_t side) {
     Scene scene = random_scene(family, random);
     grow(scene, int(side) / family_side);
-    return {scene};
+    return {exact_scene::admit(std::move(scene))};
 }
 
 // ------------------------------------------------------------------------------------- what a trial comes to
@@ -130,7 +131,7 @@ Tally with_decisions(Tally tally, const DecisionReport& report) {
 
 Tally look_at_decisions(const RunRequest& request) {
     const CheckReport report = check_run(request, right_picture(request.scene, request.method));
-    const Area& area = request.scene.area;
+    const Area& area = request.scene->area;
     Tally tally = with_pixels({}, std::size_t(area.width) * std::size_t(area.height), report.wrong_pixels);
     return with_decisions(tally, report);
 }
@@ -257,7 +258,7 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
     return tallies;
 }
 
-Tallies try_out(const CurveScene& scene, const std::vector<NamedKernel>& kernels,
+Tallies try_out(const AdmittedCurves& scene, const std::vector<NamedKernel>& kernels,
                 const std::vector<TriedMethod>& methods) {
     Tallies tallies;
     for (const auto& kernel : kernels) {

@@ -49,7 +49,7 @@ struct Experiment {
     std::string_view how;  // different for each of a kind
     std::int64_t amount;   // in ulps, or in pixels of a side
     std::uint64_t price;   // the cost of a trial, in runs: there are fewer trials of expensive ones
-    std::vector<Scene> (*series)(const Family&, RandomPolygons&, std::int64_t amount);  // the scenes of a trial
+    std::vector<AdmittedScene> (*series)(const Family&, RandomPolygons&, std::int64_t amount);  // the scenes of a trial
 };
 
 inline constexpr std::array<std::string_view, 4> kind_names{"moved", "swept", "changed", "grown"};
@@ -61,11 +61,11 @@ using TriedMethod = std::optional<Method>;
 
 /// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. Throws Refused if a
 /// scene is too wide for `grid`.
-Tallies try_out(const Experiment& experiment, const std::vector<Scene>& series, const std::vector<NamedKernel>& kernels,
-                const std::vector<TriedMethod>& methods);
+Tallies try_out(const Experiment& experiment, const std::vector<AdmittedScene>& series,
+                const std::vector<NamedKernel>& kernels, const std::vector<TriedMethod>& methods);
 
 /// The same for curves, whose columns count as pixels.
-Tallies try_out(const CurveScene& scene, const std::vector<NamedKernel>& kernels,
+Tallies try_out(const AdmittedCurves& scene, const std::vector<NamedKernel>& kernels,
                 const std::vector<TriedMethod>& methods);
 
 }  // namespace vidno

@@ -53,13 +53,13 @@ std::string with(const std::string& fewer, const std::string& wrong) {
 
 class Needs {
 public:
-    Needs(const Scene& scene, const std::function<void()>& progress)
-        : scene_(scene), progress_(progress), right_(right_picture(scene)) {}
+    Needs(const AdmittedScene& scene, const std::function<void()>& progress)
+        : scene_(scene), progress_(progress), right_(right_picture(scene)), least_(scene) {}
 
     NeedReport report() {
-        const auto keeps = [&](const Scene& candidate) { return right_picture(candidate) == right_; };
+        const auto keeps = [&](const AdmittedScene& candidate) { return right_picture(candidate) == right_; };
         least_ = with_fewest_parts(scene_, keeps);
-        tell("polygons", of(least_.polygons.size(), scene_.polygons.size()), missed_polygon());
+        tell("polygons", of(least_->polygons.size(), scene_->polygons.size()), missed_polygon());
         tell("vertices", of(vertices_of(least_), vertices_of(scene_)), missed_vertex());
         places();
         arithmetic();
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    Picture right_picture(const Scene& scene) const {
+    Picture right_picture(const AdmittedScene& scene) const {
         progress_();
         return run({Method::zbuffer, filtered_, Edition::corrected, scene});
     }
@@ -78,18 +78,18 @@ private:
     }
 
     std::string missed_polygon() const {
-        if (least_.polygons.empty()) return "";
+        if (least_->polygons.empty()) return "";
         const auto wrong = wrong_pixel(right_picture(without_polygon(least_, 0)), right_);
-        return "without \"" + least_.polygons[0].id + "\" " + *wrong;
+        return "without \"" + least_->polygons[0].id + "\" " + *wrong;
     }
 
     /// Triangles cannot lose a vertex, and the rest of a polygon may not be admitted.
     std::string missed_vertex() const {
-        for (std::size_t polygon = 0; polygon < least_.polygons.size(); ++polygon) {
-            for (std::size_t vertex = 0; vertex < least_.polygons[polygon].vertices.size(); ++vertex) {
+        for (std::size_t polygon = 0; polygon < least_->polygons.size(); ++polygon) {
+            for (std::size_t vertex = 0; vertex < least_->polygons[polygon].vertices.size(); ++vertex) {
                 const auto fewer = without_vertex(least_, polygon, vertex);
                 if (!fewer) continue;
-                return "without vertex " + std::to_string(vertex) + " of \"" + least_.polygons[polygon].id + "\" " +
+                return "without vertex " + std::to_string(vertex) + " of \"" + least_->polygons[polygon].id + "\" " +
                        *wrong_pixel(right_picture(*fewer), right_);
             }
         }
@@ -99,7 +99,7 @@ private:
     /// The bits of coordinates, which are snapped. Polygons that would not stay planar or convex are first cut into triangles.
     void places() {
         Resolution finest{0, 0};
-        for (const auto& polygon : least_.polygons) {
+        for (const auto& polygon : least_->polygons) {
             for (const auto& v : polygon.vertices) {
                 finest.xy = std::max({finest.xy, binary_places(v.x), binary_places(v.y)});
                 finest.z = std::max(finest.z, binary_places(v.z));
@@ -141,7 +141,7 @@ private:
 
     /// The levels of Warnock's windows: at the last level a window gets the colour of its centre.
     void levels() {
-        const int most = std::countr_zero(unsigned(covering_square(scene_.area).width));
+        const int most = std::countr_zero(unsigned(covering_square(scene_->area).width));
         const auto picture_at = [&](int level) {
             progress_();
             RunRequest request{Method::warnock, filtered_, Edition::corrected, least_};
@@ -154,16 +154,16 @@ private:
     }
 
     const NamedKernel filtered_ = *kernel_named("filtered");
-    const Scene& scene_;
+    const AdmittedScene& scene_;
     const std::function<void()>& progress_;
     Picture right_;
-    Scene least_;
+    AdmittedScene least_;
     std::vector<Need> needs_;
 };
 
 }  // namespace
 
-NeedReport needs_of(const Scene& scene, const std::function<void()>& progress) {
+NeedReport needs_of(const AdmittedScene& scene, const std::function<void()>& progress) {
     return Needs(scene, progress).report();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "vidno/scene.h"
+#include "vidno/admitted.h"
 
 namespace vidno {
 
@@ -18,11 +18,11 @@ struct Need {
 
 struct NeedReport {
     std::vector<Need> needs;
-    Scene least;  // with the polygons and vertices that are needed
+    AdmittedScene least;  // with the polygons and vertices that are needed
 };
 
 /// The picture is that of the picture rule. Polygons and vertices are left out first; everything else is tested on the remaining scene,
 /// one thing at a time. `progress` is called at each picture.
-NeedReport needs_of(const Scene& scene, const std::function<void()>& progress);
+NeedReport needs_of(const AdmittedScene& scene, const std::function<void()>& progress);
 
 }  // namespace vidno

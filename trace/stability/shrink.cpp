@@ -31,36 +31,35 @@ std::vector<T> least_sublist(std::vector<T> list, const auto& holds) {
 }
 
 /// The scene with another outline for a polygon, if that is admitted.
-std::optional<Scene> with_vertices(Scene scene, std::size_t polygon, std::vector<glm::dvec3> vertices) {
+std::optional<AdmittedScene> with_vertices(Scene scene, std::size_t polygon, std::vector<glm::dvec3> vertices) {
     auto& changed = scene.polygons[polygon];
     changed.vertices = std::move(vertices);
-    if (exact_scene::admit(changed).admission != Admission::admitted) return std::nullopt;
-    return scene;
+    if (exact_scene::admit_polygon(changed).admission != Admission::admitted) return std::nullopt;
+    return exact_scene::admit(std::move(scene));
 }
 
-Scene with_fewest_polygons(Scene scene, const Property& keeps) {
+AdmittedScene with_fewest_polygons(const AdmittedScene& scene, const Property& keeps) {
     const auto with = [&](const std::vector<ScenePolygon>& polygons) {
-        Scene candidate = scene;
-        candidate.polygons = polygons;
-        return candidate;
+        return exact_scene::admit({scene->name, scene->area, scene->background, polygons});
     };
-    return with(least_sublist(scene.polygons, [&](const auto& polygons) { return keeps(with(polygons)); }));
+    return with(least_sublist(scene->polygons, [&](const auto& polygons) { return keeps(with(polygons)); }));
 }
 
-Scene with_fewest_vertices(Scene scene, const Property& keeps) {
-    for (std::size_t polygon = 0; polygon < scene.polygons.size(); ++polygon) {
+AdmittedScene with_fewest_vertices(AdmittedScene scene, const Property& keeps) {
+    for (std::size_t polygon = 0; polygon < scene->polygons.size(); ++polygon) {
         const auto holds = [&](const auto& vertices) {
             const auto candidate = with_vertices(scene, polygon, vertices);
             return candidate && keeps(*candidate);
         };
-        scene = *with_vertices(scene, polygon, least_sublist(scene.polygons[polygon].vertices, holds));
+        scene = *with_vertices(scene, polygon, least_sublist(scene->polygons[polygon].vertices, holds));
     }
     return scene;
 }
 
 /// The scene with one coordinate rounded to as few places as possible, or unchanged.
-Scene with_shorter_coordinate(Scene scene, std::size_t polygon, std::size_t vertex, int axis, const Property& keeps) {
-    const auto& vertices = scene.polygons[polygon].vertices;
+AdmittedScene with_shorter_coordinate(AdmittedScene scene, std::size_t polygon, std::size_t vertex, int axis,
+                                      const Property& keeps) {
+    const auto& vertices = scene->polygons[polygon].vertices;
     const double value = vertices[vertex][axis];
     const int most = binary_places(value);
     for (int places = 0; places < most; ++places) {
@@ -68,16 +67,16 @@ Scene with_shorter_coordinate(Scene scene, std::size_t polygon, std::size_t vert
         rounded[vertex][axis] = snapped(value, places);
         const auto candidate = with_vertices(scene, polygon, std::move(rounded));
         // Admission may drop a vertex, but another step changes their number.
-        if (!candidate || candidate->polygons[polygon].vertices.size() != vertices.size()) continue;
+        if (!candidate || (*candidate)->polygons[polygon].vertices.size() != vertices.size()) continue;
         if (keeps(*candidate)) return *candidate;
     }
     return scene;
 }
 
 /// The scene with as few binary places as possible, reduced one coordinate at a time.
-Scene with_fewest_places(Scene scene, const Property& keeps) {
-    for (std::size_t polygon = 0; polygon < scene.polygons.size(); ++polygon) {
-        for (std::size_t vertex = 0; vertex < scene.polygons[polygon].vertices.size(); ++vertex) {
+AdmittedScene with_fewest_places(AdmittedScene scene, const Property& keeps) {
+    for (std::size_t polygon = 0; polygon < scene->polygons.size(); ++polygon) {
+        for (std::size_t vertex = 0; vertex < scene->polygons[polygon].vertices.size(); ++vertex) {
             for (int axis = 0; axis < 3; ++axis) {
                 scene = with_shorter_coordinate(std::move(scene), polygon, vertex, axis, keeps);
             }
@@ -100,55 +99,55 @@ int binary_places(double value) {
     return places;
 }
 
-Scene without_polygon(Scene scene, std::size_t index) {
+AdmittedScene without_polygon(Scene scene, std::size_t index) {
     scene.polygons.erase(scene.polygons.begin() + std::ptrdiff_t(index));
-    return scene;
+    return exact_scene::admit(std::move(scene));
 }
 
-std::optional<Scene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex) {
+std::optional<AdmittedScene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex) {
     auto vertices = scene.polygons[polygon].vertices;
     vertices.erase(vertices.begin() + std::ptrdiff_t(vertex));
     return with_vertices(std::move(scene), polygon, std::move(vertices));
 }
 
-Scene with_fewest_parts(Scene scene, const Property& keeps) {
+AdmittedScene with_fewest_parts(AdmittedScene scene, const Property& keeps) {
     for (;;) {
-        Scene fewer = with_fewest_vertices(with_fewest_polygons(scene, keeps), keeps);
+        AdmittedScene fewer = with_fewest_vertices(with_fewest_polygons(scene, keeps), keeps);
         if (fewer == scene) return scene;
         scene = std::move(fewer);
     }
 }
 
-Scene shrunk(Scene scene, const Property& keeps) {
+AdmittedScene shrunk(AdmittedScene scene, const Property& keeps) {
     for (;;) {
-        Scene smaller = with_fewest_places(with_fewest_parts(scene, keeps), keeps);
+        AdmittedScene smaller = with_fewest_places(with_fewest_parts(scene, keeps), keeps);
         if (smaller == scene) return scene;
         scene = std::move(smaller);
     }
 }
 
-CurveScene shrunk(CurveScene scene, const std::function<bool(const CurveScene&)>& keeps) {
-    const auto with_curves = [&](const std::vector<Curve>& curves) { return CurveScene{scene.area, curves}; };
+AdmittedCurves shrunk(AdmittedCurves scene, const std::function<bool(const AdmittedCurves&)>& keeps) {
+    const auto with_curves = [&](const std::vector<Curve>& curves) { return admit(CurveScene{scene->area, curves}); };
     const auto with_samples = [&](std::size_t curve, const std::vector<Sample>& samples) {
         CurveScene candidate = scene;
         candidate.curves[curve].samples = samples;
-        return candidate;
+        return admit(std::move(candidate));
     };
     for (;;) {
-        const CurveScene before = scene;
+        const AdmittedCurves before = scene;
         scene =
-            with_curves(least_sublist(scene.curves, [&](const auto& curves) { return keeps(with_curves(curves)); }));
-        for (std::size_t curve = 0; curve < scene.curves.size(); ++curve) {
-            scene = with_samples(curve, least_sublist(scene.curves[curve].samples, [&](const auto& samples) {
+            with_curves(least_sublist(scene->curves, [&](const auto& curves) { return keeps(with_curves(curves)); }));
+        for (std::size_t curve = 0; curve < scene->curves.size(); ++curve) {
+            scene = with_samples(curve, least_sublist(scene->curves[curve].samples, [&](const auto& samples) {
                                      return samples.size() >= 2 && keeps(with_samples(curve, samples));
                                  }));
-            for (std::size_t i = 0; i < scene.curves[curve].samples.size(); ++i) {
-                const double value = scene.curves[curve].samples[i].y;
+            for (std::size_t i = 0; i < scene->curves[curve].samples.size(); ++i) {
+                const double value = scene->curves[curve].samples[i].y;
                 const int most = binary_places(value);
                 for (int places = 0; places < most; ++places) {
-                    auto samples = scene.curves[curve].samples;
+                    auto samples = scene->curves[curve].samples;
                     samples[i].y = snapped(value, places);
-                    const CurveScene candidate = with_samples(curve, samples);
+                    const AdmittedCurves candidate = with_samples(curve, samples);
                     if (!keeps(candidate)) continue;
                     scene = candidate;
                     break;

@@ -13,25 +13,25 @@
 
 namespace vidno {
 
-/// A property of an admitted scene. It is called often.
-using Property = std::function<bool(const Scene&)>;
+/// A property of a scene. It is called often.
+using Property = std::function<bool(const AdmittedScene&)>;
 
 /// Takes   a scene with the property.
 /// Gives   a scene that has it too, but loses it if any polygon or any vertex is left out, or any coordinate is rounded to
 ///         fewer binary places.
-Scene shrunk(Scene scene, const Property& keeps);
+AdmittedScene shrunk(AdmittedScene scene, const Property& keeps);
 
 /// The same for curves: the result cannot lose a curve, a sample or a binary place of a height.
-CurveScene shrunk(CurveScene scene, const std::function<bool(const CurveScene&)>& keeps);
+AdmittedCurves shrunk(AdmittedCurves scene, const std::function<bool(const AdmittedCurves&)>& keeps);
 
 /// The same for polygons and vertices only; coordinates do not change.
-Scene with_fewest_parts(Scene scene, const Property& keeps);
+AdmittedScene with_fewest_parts(AdmittedScene scene, const Property& keeps);
 
 /// The scene without one of its polygons.
-Scene without_polygon(Scene scene, std::size_t index);
+AdmittedScene without_polygon(Scene scene, std::size_t index);
 
 /// The scene without a vertex, if the rest of the polygon is admitted.
-std::optional<Scene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex);
+std::optional<AdmittedScene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex);
 
 /// The total number of vertices.
 std::size_t vertices_of(const Scene& scene);

@@ -144,7 +144,7 @@ Tallies run_block(const Campaign& campaign, const Block& block) {
         if (block.family->curves) {
             // Curves have no other experiments.
             if (kind != Experiment::Kind::moved) continue;
-            const CurveScene curves = moved_by_ulps(block.family->curves(random), amount, random);
+            const AdmittedCurves curves = moved_by_ulps(block.family->curves(random), amount, random);
             add_to(sum, try_out(curves, kernels, methods));
         } else {
             add_to(sum, try_out(*block.experiment, series_of(*block.family, random, amount), kernels, methods));

@@ -42,7 +42,7 @@ const Family& family_of(const std::string& name);
 Tallies run_block(const Campaign& campaign, const Block& block);
 
 /// A scene of polygons, or of curves.
-using AnyMoved = std::variant<Scene, CurveScene>;
+using AnyMoved = std::variant<AdmittedScene, AdmittedCurves>;
 
 /// Passes the scenes of a family's trials that move coordinates to `use`, in order, until it returns that it has seen enough.
 void for_each_moved(const Campaign& campaign, const Family& family, const std::function<bool(const AnyMoved&)>& use);

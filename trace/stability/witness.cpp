@@ -18,11 +18,11 @@ using Json = nlohmann::ordered_json;
 /// The first error of a run: a pixel, or a curve and a column.
 using Place = std::pair<int, int>;
 
-std::optional<Place> wrong_pixel(const Scene& scene, Method method, const NamedKernel& kernel) {
+std::optional<Place> wrong_pixel(const AdmittedScene& scene, Method method, const NamedKernel& kernel) {
     if (refusal_of(method, scene)) return std::nullopt;
     const Picture painted = run({method, kernel, Edition::corrected, scene});
     const Picture right = run({reference_of(method), *kernel_named("filtered"), Edition::corrected, scene});
-    const Area& area = scene.area;
+    const Area& area = scene->area;
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
             if (painted.at(x, y) != right.at(x, y)) return Place{x, y};
@@ -31,7 +31,7 @@ std::optional<Place> wrong_pixel(const Scene& scene, Method method, const NamedK
     return std::nullopt;
 }
 
-std::optional<Place> wrong_column(const CurveScene& scene, const NamedKernel& kernel) {
+std::optional<Place> wrong_column(const AdmittedCurves& scene, const NamedKernel& kernel) {
     const auto drawn = [&](const NamedKernel& by) {
         return columns_drawn(run(FloatingHorizonRequest{by, Edition::corrected, scene}), scene);
     };
@@ -39,7 +39,7 @@ std::optional<Place> wrong_column(const CurveScene& scene, const NamedKernel& ke
     for (std::size_t curve = 0; curve < taken.size(); ++curve) {
         const auto [is, should] = std::mismatch(taken[curve].begin(), taken[curve].end(), right[curve].begin());
         if (is == taken[curve].end()) continue;
-        return Place{int(curve), scene.curves[curve].samples.front().x + int(is - taken[curve].begin())};
+        return Place{int(curve), scene->curves[curve].samples.front().x + int(is - taken[curve].begin())};
     }
     return std::nullopt;
 }
@@ -74,26 +74,27 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
                                    const std::string& kernel, const std::function<void()>& progress) {
     const NamedKernel named = *kernel_named(kernel);
     const auto tried = std::find(method_names.begin(), method_names.end(), method);
-    const auto of_scene = [&](const Scene& scene) {
+    const auto of_scene = [&](const AdmittedScene& scene) {
         progress();
         return wrong_pixel(scene, Method(tried - method_names.begin()), named);
     };
-    const auto of_curves = [&](const CurveScene& scene) {
+    const auto of_curves = [&](const AdmittedCurves& scene) {
         progress();
         return wrong_column(scene, named);
     };
     std::optional<std::string> found;
     for_each_moved(campaign, family, [&](const AnyMoved& moved) {
-        if (const auto* curves = std::get_if<CurveScene>(&moved)) {
+        if (const auto* curves = std::get_if<AdmittedCurves>(&moved)) {
             if (!of_curves(*curves)) return false;
-            const CurveScene smallest =
-                shrunk(*curves, [&](const CurveScene& smaller) { return of_curves(smaller).has_value(); });
+            const AdmittedCurves smallest =
+                shrunk(*curves, [&](const AdmittedCurves& smaller) { return of_curves(smaller).has_value(); });
             found = failure_of(surface_json({std::string(family.name), smallest}), family, method, kernel, "column",
                                *of_curves(smallest));
         } else {
-            const auto& scene = std::get<Scene>(moved);
+            const auto& scene = std::get<AdmittedScene>(moved);
             if (!of_scene(scene)) return false;
-            const Scene smallest = shrunk(scene, [&](const Scene& smaller) { return of_scene(smaller).has_value(); });
+            const AdmittedScene smallest =
+                shrunk(scene, [&](const AdmittedScene& smaller) { return of_scene(smaller).has_value(); });
             found = failure_of(scene_json(smallest), family, method, kernel, "pixel", *of_scene(smallest));
         }
         return true;

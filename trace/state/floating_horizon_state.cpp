@@ -7,7 +7,7 @@ namespace vidno {
 FloatingHorizonState::FloatingHorizonState(const FloatingHorizonHeader& header)
     : header_(&header),
       calls_(Procedure::floating_horizon, header.detail),
-      upper_(std::size_t(header.scene.curves.area.width)),
+      upper_(std::size_t(header.scene.curves->area.width)),
       lower_(upper_.size()) {}
 
 void FloatingHorizonState::apply(const EventView& event) {
@@ -24,7 +24,7 @@ void FloatingHorizonState::take(const event::Horizons& e) {
 }
 
 void FloatingHorizonState::take(const event::Curve& e) {
-    const auto curves = int(header_->scene.curves.curves.size());
+    const auto curves = int(header_->scene.curves->curves.size());
     if (e.curve < 0 || e.curve >= curves) throw Impossible{"no curve of the scene"};
     curve_ = e.curve;
     segment_.reset();
@@ -35,7 +35,7 @@ void FloatingHorizonState::take(const event::Curve& e) {
 void FloatingHorizonState::take(const event::SideEdge& e) { (e.at == Line::FH3 ? left_edge_ : right_edge_) = e.sample; }
 
 std::size_t FloatingHorizonState::column(int x) const {
-    const Area& area = header_->scene.curves.area;
+    const Area& area = header_->scene.curves->area;
     if (x < area.x || x >= area.right()) throw Impossible{"a column outside the area"};
     return std::size_t(x - area.x);
 }
@@ -53,7 +53,7 @@ void FloatingHorizonState::take(const event::Visibility& e) {
 
 Segment FloatingHorizonState::segment_on(const SegmentColumns& columns) const {
     if (!curve_) throw Impossible{"a segment of no curve"};
-    const auto& samples = header_->scene.curves.curves[std::size_t(*curve_)].samples;
+    const auto& samples = header_->scene.curves->curves[std::size_t(*curve_)].samples;
     const auto from = std::lower_bound(samples.begin(), samples.end(), columns.first,
                                        [](const Sample& sample, int x) { return sample.x < x; });
     const bool found = from != samples.end() && from->x == columns.first && std::next(from) != samples.end() &&

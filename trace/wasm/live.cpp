@@ -106,7 +106,7 @@ Options read_options(const JsonNode& root, Kind kind) {
     return options;
 }
 
-Scene read_scene_for(const NamedKernel& kernel, std::string_view text, std::string& messages) {
+AdmittedScene read_scene_for(const NamedKernel& kernel, std::string_view text, std::string& messages) {
     auto [scene, warnings] = read_scene(text, "scene");
     for (const auto& warning : warnings) messages += warning + '\n';
     if (!kernel.snaps()) return std::move(scene);
@@ -138,7 +138,7 @@ void make_trace(Live& live) {
         write_run(live, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
                   FloatingHorizonRequest{kernel, edition, surface.curves, detail});
     } else {
-        const Scene scene = read_scene_for(kernel, file, live.messages);
+        const AdmittedScene scene = read_scene_for(kernel, file, live.messages);
         if (const auto reason = refusal_of(method, scene)) throw Refused("scene: " + *reason);
         write_run(live, options, TraceHeader{method, edition, kernel.name(), detail, scene},
                   RunRequest{method, kernel, edition, scene, detail});
@@ -173,12 +173,12 @@ void make_findings(Live& live) {
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
         const FloatingHorizonRequest request{options.kernel, options.edition, surface.curves};
-        find(request, Procedure::floating_horizon, surface.curves.area, findings_header(request, surface.name));
+        find(request, Procedure::floating_horizon, surface.curves->area, findings_header(request, surface.name));
     } else {
-        const Scene scene = read_scene_for(options.kernel, file, live.messages);
+        const AdmittedScene scene = read_scene_for(options.kernel, file, live.messages);
         if (const auto reason = refusal_of(options.method, scene)) throw Refused("scene: " + *reason);
         const RunRequest request{options.method, options.kernel, options.edition, scene};
-        find(request, choice_of(options.method).procedure, scene.area, findings_header(request));
+        find(request, choice_of(options.method).procedure, scene->area, findings_header(request));
     }
 }
 
@@ -205,14 +205,14 @@ MarginOptions read_margin_options(const JsonNode& root) {
 void make_margin(Live& live) {
     const auto [line, file] = parts(live.request);
     const MarginOptions options = read_json(line, "request", read_margin_options);
-    const Scene scene = read_scene_for(options.kernel, file, live.messages);
-    const auto polygon = std::find_if(scene.polygons.begin(), scene.polygons.end(),
+    const AdmittedScene scene = read_scene_for(options.kernel, file, live.messages);
+    const auto polygon = std::find_if(scene->polygons.begin(), scene->polygons.end(),
                                       [&](const auto& each) { return each.id == options.polygon; });
-    if (polygon == scene.polygons.end() || options.vertex >= int(polygon->vertices.size())) {
+    if (polygon == scene->polygons.end() || options.vertex >= int(polygon->vertices.size())) {
         throw Refused("no such vertex");
     }
     const RunRequest request{options.method, options.kernel, options.edition, scene};
-    const PolygonPlace place{int(polygon - scene.polygons.begin())};
+    const PolygonPlace place{int(polygon - scene->polygons.begin())};
     live.made += margin_json(margin_of(request, options.step, place, options.vertex), scene);
 }
 

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "../admitted.h"
 #include "../scene.h"
 
 namespace vidno {
@@ -40,6 +44,23 @@ inline bool on_columns(const Curve& curve, const Area& area) {
     const auto not_growing = [](const Sample& a, const Sample& b) { return a.x >= b.x; };
     return samples.size() >= 2 && samples.front().x >= area.x && samples.back().x < area.right() &&
            std::adjacent_find(samples.begin(), samples.end(), not_growing) == samples.end();
+}
+
+using AdmittedCurves = Admitted<CurveScene>;
+
+/// For `admit`: checks the area and each curve.
+inline void make_admissible(const CurveScene& scene) {
+    expect_admissible(scene.area);
+    const auto is_finite = [](const Sample& sample) { return std::isfinite(sample.y); };
+    for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+        const Curve& curve = scene.curves[i];
+        const auto refuse = [&](const char* reason) {
+            throw std::invalid_argument("curve " + std::to_string(i) + ": " + reason);
+        };
+        if (!on_columns(curve, scene.area))
+            refuse("fewer than two samples, or they do not grow within the area's columns");
+        if (!std::all_of(curve.samples.begin(), curve.samples.end(), is_finite)) refuse("a height is not finite");
+    }
 }
 
 }  // namespace vidno

@@ -63,10 +63,7 @@ struct FloatingHorizonRun {
           kernel(std::move(arithmetic)),
           trace(std::move(visitor)),
           scene(curves),
-          horizons(set.first_horizons(kernel, curves.area)) {
-        assert(std::all_of(scene.curves.begin(), scene.curves.end(),
-                           [&](const Curve& curve) { return on_columns(curve, scene.area); }));
-    }
+          horizons(set.first_horizons(kernel, curves.area)) {}
 
     void side_edge(Line at, std::optional<Sample>& edge, int curve, const Sample& end) {
         trace.call(at, Procedure::side_edge);

@@ -38,7 +38,7 @@ Figures figures_of(const Lesson& lesson, const Story& story, const std::string& 
 /// The title of a run: the lesson's, or the name of its scene; never the name of a file.
 Json title_of(const Lesson& lesson, const LessonRun& run) {
     if (!run.english_title.empty()) return {{"en", run.english_title}, {"ru", run.russian_title}};
-    const std::string name = std::visit([](const auto& scene) { return scene.name; }, scene_of(lesson, run));
+    const std::string name = name_of(scene_of(lesson, run));
     return {{"en", name}, {"ru", name}};
 }
 

@@ -82,7 +82,7 @@ NamedKernel kernel_of(const RunOptions& options) {
     return kernel;
 }
 
-RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
+RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const AdmittedScene& scene) {
     return {method_of(options), kernel, edition_of(options), scene, detail_of(options)};
 }
 

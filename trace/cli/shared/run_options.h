@@ -53,7 +53,7 @@ inline Detail detail_of(const RunOptions& options) { return Detail(place_in(deta
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
 
-RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene);
+RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const AdmittedScene& scene);
 /// Refuses a kernel or an edition that does not run curves.
 FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surface);
 

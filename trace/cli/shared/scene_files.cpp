@@ -57,13 +57,13 @@ void say(const Failure& failure, const std::string& file) {
     if (!failure.scene) throw Refused(file + ": no scene shows it: see the test \"" + failure.test + '"');
 }
 
-Scene scene_of(std::string_view text, const std::string& file) {
+AdmittedScene scene_of(std::string_view text, const std::string& file) {
     AnyScene any = read(text, file).scene;
-    if (auto* scene = std::get_if<Scene>(&any)) return std::move(*scene);
+    if (auto* scene = std::get_if<AdmittedScene>(&any)) return std::move(*scene);
     throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
 }
 
-Scene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
+AdmittedScene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
 
 AnyScene any_scene_from(const std::string& file) { return read(read_file(file), file).scene; }
 
@@ -95,7 +95,7 @@ std::string scene_text_in(const std::string& file) {
     return parse_json(text).at("scene").dump();
 }
 
-Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file) {
+AdmittedScene scene_for(const NamedKernel& kernel, AdmittedScene scene, const std::string& file) {
     if (!kernel.snaps()) return scene;
     try {
         SnappedScene snapped = snapped_scene(scene, kernel.parameter);

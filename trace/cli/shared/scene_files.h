@@ -10,9 +10,9 @@
 namespace vidno::cli {
 
 /// The scene of a file of polygons, or of a failure, which is described on standard error. Warnings go there, too.
-Scene scene_from(const std::string& file);
+AdmittedScene scene_from(const std::string& file);
 /// The same from its text.
-Scene scene_of(std::string_view text, const std::string& file);
+AdmittedScene scene_of(std::string_view text, const std::string& file);
 
 /// The same for a scene of polygons or of curves.
 AnyScene any_scene_from(const std::string& file);
@@ -28,6 +28,6 @@ void say(const Failure& failure, const std::string& file);
 std::string scene_text_in(const std::string& file);
 
 /// The scene as the kernel runs it: snapped for `grid`, with a note on standard error; otherwise unchanged.
-Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);
+AdmittedScene scene_for(const NamedKernel& kernel, AdmittedScene scene, const std::string& file);
 
 }  // namespace vidno::cli
