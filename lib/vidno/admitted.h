@@ -20,9 +20,8 @@ class Admitted {
 public:
     const Checked& operator*() const { return value_; }
     const Checked* operator->() const { return &value_; }
-    operator const Checked&() const {
-        return value_;
-    }  // NOLINT(google-explicit-constructor): it may be read everywhere
+    /// It may be read wherever the value may.
+    operator const Checked&() const { return value_; }
     bool operator==(const Admitted&) const = default;
 
 private:

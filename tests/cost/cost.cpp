@@ -4,7 +4,7 @@
 #include <vidno/vidno.h>
 #include <cstdio>
 
-#include "bench/overdraw.h"
+#include "cost_scene.h"
 
 namespace {
 
@@ -23,7 +23,7 @@ void run(const AdmittedScene& scene, K kernel) {
 }  // namespace
 
 int main() {
-    const AdmittedScene scene = random_triangles(200, 128, 4);
+    const AdmittedScene scene = cost_scene();
     run<Corrected>(scene, Double{});
     run<Corrected>(scene, Float{});
     run<Printed>(scene, Double{});

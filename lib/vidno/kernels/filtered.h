@@ -59,13 +59,7 @@ public:
             tell(FilterStage::scene);
             return {value, sign_of(value)};
         }
-        const double error = 2 * Bounded::unit * (std::abs(left) + std::abs(right)) + Bounded::underflow;
-        if (std::abs(value) > error) {
-            tell(FilterStage::operands);
-            return {value, sign_of(value)};
-        }
-        tell(FilterStage::exact);
-        return {value, exact_orientation(pivot, a, b)};
+        return cross_near_zero(left, right, pivot, a, b);
     }
 
     SideCross cross(const Point<Given>& pivot, const ClippedVertex& a, const Point<Given>& b) const {
@@ -244,6 +238,19 @@ protected:
     }
 
 private:
+    /// The cross product left - right, which the scene's bound does not decide. Apart, so that the compiler inlines `cross`.
+    [[gnu::noinline]] FilteredCross cross_near_zero(double left, double right, const auto& pivot, const auto& a,
+                                                    const auto& b) const {
+        const double value = left - right;
+        const double error = 2 * Bounded::unit * (std::abs(left) + std::abs(right)) + Bounded::underflow;
+        if (std::abs(value) > error) {
+            tell(FilterStage::operands);
+            return {value, sign_of(value)};
+        }
+        tell(FilterStage::exact);
+        return {value, exact_orientation(pivot, a, b)};
+    }
+
     /// Reports whether the bound of the operands decided, or exact arithmetic.
     void tell(bool certain) const { tell(certain ? FilterStage::operands : FilterStage::exact); }
     using Depths::tell;
