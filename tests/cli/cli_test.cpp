@@ -287,7 +287,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "homework " + scene + " --count 0 -o " + work.file("a"),
              "homework " + scene + " --seed many -o " + work.file("a"),
              "homework " + scene + " --method painter -o " + work.file("a"),
-             "homework " + scene + " -o " + work.directory.string(),  // is there already
+             "homework " + scene + " -o " + work.directory.string(),  // already exists
              "homework " + wide + " -o " + work.file("a"),            // has no polygons
              "homework " + work.file("missing.json") + " -o " + work.file("a"),
              "choose " + work.file("missing.json"),

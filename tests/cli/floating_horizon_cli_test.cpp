@@ -188,7 +188,7 @@ TEST_CASE("surfaces: a chart varies the sampling of a function, and the output's
     CHECK(refusal(sampled, "c.json") ==
           "vidno: " + sampled + ": line 1, column 1: no function, which could be sampled in other ways\n");
     CHECK(refusal(function + " " + polygons, "c.json") ==
-          "vidno: " + polygons + ": a chart is of scenes or of surfaces, not of both\n");
+          "vidno: " + polygons + ": a chart shows scenes or surfaces, not both\n");
     CHECK(refusal(function + " --error area", "c.svg") ==
           "vidno: --error area: this chart has wrongColumns, height, wrongDecisions\n");
     CHECK(refusal(polygons + " --cost samples", "c.svg") ==

@@ -214,7 +214,7 @@ find_program(TRUE_PROGRAM true REQUIRED)
 must_refuse("no trace was written: " ${TRUE_PROGRAM})
 must_refuse("No such file or directory" ./nothing)
 must_refuse("report.pdf: not .html" ./warnock -o report.pdf)
-must_refuse("homework: of a folder -o names a table, .csv or .json" homework)
+must_refuse("homework is a folder, so -o must name a table, .csv or .json" homework)
 execute_process(COMMAND ${VIDNO} trace ${student}/../05-polygon-clip/scene.json --kernel exact -o exact.jsonl
                 WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 must_refuse("only float and double are judged" exact.jsonl)

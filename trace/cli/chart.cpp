@@ -82,7 +82,7 @@ int chart(const ChartOptions& options) {
     for (const auto& file : options.scenes) {
         texts.push_back(scene_text_in(file));
         if (is_surface(texts.back()) == is_surface(texts[0])) continue;
-        throw Refused(file + ": a chart is of scenes or of surfaces, not of both");
+        throw Refused(file + ": a chart shows scenes or surfaces, not both");
     }
     const bool of_surfaces = is_surface(texts[0]);
     expect_format(options, of_surfaces);

@@ -214,7 +214,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
 int grade(const GradeOptions& options) {
     const bool is_folder = std::filesystem::is_directory(options.program);
     if (is_folder && !options.output.ends_with(".csv") && !options.output.ends_with(".json"))
-        throw Refused(options.program + ": of a folder -o names a table, .csv or .json");
+        throw Refused(options.program + " is a folder, so -o must name a table, .csv or .json");
     if (!is_folder && !options.output.empty() && !options.output.ends_with(".html"))
         throw Refused(options.output + ": not .html");
     if (!is_folder && !options.output.empty())

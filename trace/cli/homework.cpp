@@ -31,7 +31,7 @@ std::string number_of(std::size_t place, std::size_t count) {
 
 int homework(const HomeworkOptions& options) {
     const std::filesystem::path folder(options.output);
-    if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
+    if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
     const AdmittedScene scene = scene_from(options.scene);
     expect_by_hand(scene, options.scene);
     Progress progress("exercises");

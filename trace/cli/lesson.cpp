@@ -62,7 +62,7 @@ int build_course(const LessonOptions& options) {
 
 int make_lesson(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
-    if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
+    if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
     const bool is_mesh = !options.source.ends_with(".json");
     const AnyScene scene = is_mesh ? AnyScene(import_mesh(read_file(options.source), options.source, {}).scene)
                                    : any_scene_from(options.source);

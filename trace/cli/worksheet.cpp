@@ -64,7 +64,7 @@ std::string asked_about(const std::string& trace, const WorksheetOptions& option
 /// Questions about the next step of a trace's run, made by Node.
 int moodle_questions(const WorksheetOptions& options) {
     if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
-    if (options.method || options.key) throw Refused("--method, --key: of sheets, which are .pdf");
+    if (options.method || options.key) throw Refused("--method and --key are for sheets, which are .pdf");
     const std::string& trace = options.files[0];
     if (!is_trace(trace)) throw Refused(trace + ": not .jsonl or .jsonl.gz");
     TraceReader reader(LineReader(trace), trace);

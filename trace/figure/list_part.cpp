@@ -101,7 +101,7 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
 Drawing list_part(const Moment& moment, const Style& style, double width) {
     const TraceHeader& header = moment.header();
     if (header.detail < Detail::polygons) {
-        throw Refused("list: a trace of level windows tells no APL and no AEL");
+        throw Refused("list: a trace at level windows has no APL and no AEL");
     }
     Table table;
     switch (algorithm_of(header.method)) {

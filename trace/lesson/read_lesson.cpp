@@ -49,7 +49,7 @@ class LessonReader {
 public:
     LessonReader(Lesson& lesson, Problems& problems)
         : lesson_(lesson), problems_(problems), file_(lesson.file("lesson.json")) {
-        if (!std::filesystem::exists(file_)) throw Refused(file_ + ": not there, so that this is no lesson");
+        if (!std::filesystem::exists(file_)) throw Refused(file_ + " is missing, so this is not a lesson");
         text_ = read_file(file_);
     }
 
