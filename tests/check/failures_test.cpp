@@ -260,6 +260,23 @@ TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it
     }
 }
 
+TEST_CASE(
+    "Failures: a pixel that the Z-buffer only clears is seen wrong at no step, by Warnock's algorithm at its fill") {
+    // N covers (8, 8), not (1, 1).
+    const Scene scene = SceneBuilder(area_16).polygon("N", green, near_square).build();
+    for (const auto& [method, has_step] :
+         std::to_array<std::pair<std::string, bool>>({{"warnock", true}, {"zbuffer", false}})) {
+        CAPTURE(method);
+        Failure failure;
+        failure.scene = scene;
+        failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        failure.shows.pixel = std::pair(1, 1);
+        const SeenFailure found = seen(failure);
+        CHECK(found.there.english == "the background is painted, not the background");
+        CHECK(found.step.has_value() == has_step);
+    }
+}
+
 TEST_CASE("Failures: an entry without a scene has a test of its name") {
     const std::string tests = read_file(VIDNO_ROOT "/tests/check/failures_test.cpp");
     for (const Entry& entry : atlas()) {

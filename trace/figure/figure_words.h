@@ -21,7 +21,6 @@ constexpr std::string_view in(Language language, const Bilingual& text) {
 }
 
 struct FigureWords {
-    std::string_view warnock, z_buffer, floating_horizon, weiler_atherton;
     std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
     std::string_view list_in_hand, vertices, behind_all, inside, outside;
@@ -32,10 +31,6 @@ struct FigureWords {
 
 inline constexpr auto figure_words = std::to_array<FigureWords>({
     {
-        .warnock = "Warnock",
-        .z_buffer = "Z-buffer",
-        .floating_horizon = "Floating horizon",
-        .weiler_atherton = "Weiler–Atherton",
         .step = "step",
         .stack = "on the stack",
         .active_polygons = "Active polygons (APL)",
@@ -65,10 +60,6 @@ inline constexpr auto figure_words = std::to_array<FigureWords>({
         .wrong = "wrong",
     },
     {
-        .warnock = "Алгоритм Варнока",
-        .z_buffer = "Z-буфер",
-        .floating_horizon = "Плавающий горизонт",
-        .weiler_atherton = "Алгоритм Вейлера — Азертона",
         .step = "шаг",
         .stack = "в стеке",
         .active_polygons = "Активные многоугольники (APL)",

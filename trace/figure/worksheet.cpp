@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "choice/method.h"
 #include "form.h"
 #include "notation.h"
 #include "parts.h"
@@ -64,8 +65,7 @@ private:
         pages_.push_back({page_width, page_height});
         const double right = page_width - margin;
         double y = margin;
-        const auto& of_figures = words_of(style_.language);
-        const std::string method(run_.header().method == Method::warnock ? of_figures.warnock : of_figures.z_buffer);
+        const std::string method(in(style_.language, choice_of(run_.header().method).title));
         const double room = text_width - width_of(method, text_size) - gap;
         put(fitted(scene().name, room, title_size, true), {margin, y}, title_size, Anchor::start, true);
         put(method, {right, y}, text_size, Anchor::end);

@@ -4,7 +4,7 @@
 
 #include "chart/chart.h"
 #include "check/seen_failure.h"
-#include "choice/algorithm.h"
+#include "choice/method.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
@@ -174,24 +174,21 @@ figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std:
     return figure;
 }
 
-std::string method_in(const TraceHeader& header, const figures::FigureWords& words) {
-    std::string method;
-    switch (algorithm_of(header.method)) {
-        case Algorithm::warnock: method = words.warnock; break;
-        case Algorithm::z_buffer: method = words.z_buffer; break;
-        case Algorithm::weiler_atherton: method = words.weiler_atherton; break;
-    }
-    if (is_family(header.method)) method += " (" + std::string(method_names[std::size_t(header.method)]) + ")";
-    return method;
+std::string method_in(const TraceHeader& header, figures::Language language) {
+    if (!is_family(header.method)) return std::string(in(language, choice_of(header.method).title));
+    return std::string(in(language, choice_of(Method::warnock).title)) + " (" +
+           std::string(method_names[std::size_t(header.method)]) + ")";
 }
-std::string method_in(const FloatingHorizonHeader&, const figures::FigureWords& words) {
-    return std::string(words.floating_horizon);
+std::string method_in(const FloatingHorizonHeader&, figures::Language language) {
+    return std::string(in(language, floating_horizon_choice.title));
 }
 
-std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, const figures::FigureWords& words) {
+std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, figures::Language language) {
     std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
-    title += method_in(header, words);
-    if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
+    title += method_in(header, language);
+    if (!steps.empty()) {
+        title += " · " + std::string(words_of(language).step) + " " + std::to_string(steps.front());
+    }
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }
 
@@ -264,7 +261,7 @@ std::string drawn_trace(const FigureOptions& options) {
     drawing.moments = std::max<std::size_t>(steps.size(), 1);
     AnyTraceReader opened = open_trace(std::move(lines), options.input);
     const auto draw = [&, &steps = steps](auto& reader) {
-        const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
+        const About about{title_of(reader.header(), steps, drawing.style.language), drawing.style.language};
         const figures::Figure figure = drawn(reader, steps, drawing, options);
         if (options.beamer) return beamer_of(figure.panels(), about);
         return encoded(figure.strip(), about, options.output, options.dots_an_inch);

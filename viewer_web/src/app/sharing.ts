@@ -1,6 +1,7 @@
 import { download, fileName } from '../base/download.js';
 import { isGzip } from '../base/text-file.js';
 import type { Carried } from '../editor/live.js';
+import { inEachLanguage } from '../language/language.js';
 import { idOf } from '../lessons/lessons.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
 import { isOnDisk, pageFile } from '../lessons/page-file.js';
@@ -110,6 +111,6 @@ async function savePage(page: Shared, own: Own | null): Promise<void> {
 
 const lessonOf = ({ run }: Own, name: string): Lesson => ({
   id: run.file,
-  title: { en: name, ru: name },
+  title: inEachLanguage(() => name),
   traces: [run],
 });

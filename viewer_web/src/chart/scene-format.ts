@@ -5,15 +5,21 @@ import type { MethodName } from '../trace/editions.js';
 import type { Variant } from '../trace/events.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
+/** The method that takes curves. */
+const curves = 'floating-horizon';
 /** The variants of Warnock's algorithm that the course's methods are compared with. */
 export const variants = methodNames.filter(isFamily) as readonly Variant[];
-export const methods: readonly Method[] = ['warnock', 'zbuffer', 'weiler-atherton', ...variants];
+/** The methods of polygons. The variants are last. */
+export const methods: readonly Method[] = [
+  ...methodNames.filter((name): name is Method => name !== curves && !isFamily(name)),
+  ...variants,
+];
 export const sceneKinds = ['ordinary', 'degenerate'] as const;
 export const sceneKnobs = ['bits', 'depth', 'grid', 'window'] as const;
 export const sceneCosts = ['time', 'operations', 'bits'] as const;
 export const sceneErrors = ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'] as const;
 
-export type Method = Exclude<MethodName, 'floating-horizon'>;
+export type Method = Exclude<MethodName, typeof curves>;
 
 /** JSON has no infinity, so an infinite error of depth is written as a word. */
 const ulps: Check<number> = (value, path) => (value === 'inf' ? Infinity : size(value, path));

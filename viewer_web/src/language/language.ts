@@ -4,6 +4,10 @@ export type Language = (typeof languages)[number];
 /** A text, or any other value, in each language. */
 export type Bilingual<T> = Readonly<Record<Language, T>>;
 
+/** The value that `make` gives for each language. */
+export const inEachLanguage = <T>(make: (language: Language) => T): Bilingual<T> =>
+  Object.fromEntries(languages.map((language) => [language, make(language)])) as Bilingual<T>;
+
 /** Each language by its own name. */
 export const languageNames: Bilingual<string> = {
   en: 'English',

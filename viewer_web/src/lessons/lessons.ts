@@ -1,8 +1,11 @@
 import { fileIn } from '../base/base64.js';
+import { inEachLanguage } from '../language/language.js';
 import { bool, list, oneOf, optional, part, text } from '../trace/check.js';
 import type { Checked } from '../trace/check.js';
 import { edition } from '../trace/editions.js';
 import { details, methods } from '../trace/events.js';
+
+const textInEach = part(inEachLanguage(() => text));
 
 /**
  * An entry of `index.json`, beside the lessons' traces; the build embeds them together. `vidno page` may replace a trace by
@@ -17,13 +20,13 @@ const entry = part({
   /** Whether every decision of the scene's run is compared with exact arithmetic. */
   check: optional(bool),
   /** The title of the run. */
-  title: optional(part({ en: text, ru: text })),
+  title: optional(textInEach),
 });
 
 const lessonList = list(
   part({
     id: text,
-    title: part({ en: text, ru: text }),
+    title: textInEach,
     traces: list(entry),
     story: optional(text),
   }),

@@ -8,7 +8,8 @@ import { namesOf } from './listings.js';
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
-    '../../../lib/vidno/{warnock,z_buffer,family,floating_horizon,weiler_atherton,printed,mistakes}/*.h',
+    '../../../lib/vidno/*/*.h',
+    '!../../../lib/vidno/kernels/*',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -47,6 +48,16 @@ const linesOf = (text: string): readonly SourceLine[] =>
 
 const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
 
+const paths = Object.keys(texts).map((path) => path.slice(root.length));
+const isOfEdition = (path: string): boolean => /^(printed|mistakes)\//.test(path);
+
+/** The path of a file of a procedure; undefined if the procedure has no file of its own. */
+function pathOf(file: string, asPrinted: boolean): string | undefined {
+  const usual = paths.find((path) => !isOfEdition(path) && path.endsWith(`/${file}`));
+  const printed = `printed/${file}`;
+  return asPrinted && paths.includes(printed) ? printed : usual;
+}
+
 /** The files with the rules of an edition: the usual ones, and those in which it differs. */
 function rulesOf(method: Method, edition: Edition): readonly string[] {
   const usual = [...(isFamily(method) ? ['family/family.h'] : []), 'corrected.h'];
@@ -78,16 +89,11 @@ export function sourcesOf({
   method,
   edition,
 }: Pick<Header, 'method' | 'edition'>): readonly Source[] {
-  const folders = ['warnock/', 'z_buffer/', 'family/', 'floating_horizon/', 'weiler_atherton/'];
-  const paths = namesOf(method)
+  const ofProcedures = namesOf(method)
     .flatMap(filesOf)
     .filter((file) => !replaces(edition, file.replace('.h', '')))
-    .map((file) =>
-      [...(isAsPrinted(file, edition) ? ['printed/'] : []), ...folders]
-        .map((folder) => folder + file)
-        .find((path) => root + path in texts),
-    );
-  return [...paths, ...rulesOf(method, edition)]
+    .map((file) => pathOf(file, isAsPrinted(file, edition)));
+  return [...ofProcedures, ...rulesOf(method, edition)]
     .filter((path) => path !== undefined)
     .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));
 }

@@ -15,6 +15,7 @@ import { Refusal, describe } from '../trace/refusal.js';
 import { stateParts } from '../algorithm/state-part.js';
 import type { StatePart } from '../algorithm/state-part.js';
 import { boundedText } from '../base/bounded-text.js';
+import { inEachLanguage } from '../language/language.js';
 import type { Bilingual } from '../language/language.js';
 import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
@@ -164,7 +165,7 @@ const lesson = part({
   traces: dictionary(text),
   pins: dictionary(part({ run: text, step: count })),
   shows: optional(list(oneOf(...stateParts))),
-  story: part({ en: story, ru: story }),
+  story: part(inEachLanguage(() => story)),
 });
 
 /** Checks a lesson; refuses anything else, including pins that lead nowhere. */

@@ -1,13 +1,18 @@
+import { listingsOf } from '../listing/listings.js';
 import { methods, tells } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
 
-/** The lines of Weiler and Atherton's algorithm, which shares some events with others. */
-const ofRegions = /^(WA|SP|DS|RC|RB|PR)\d/;
+/** The labels of the lines that a method runs. */
+const linesOf = (method: Method): readonly string[] =>
+  listingsOf({ method, edition: 'corrected', detail: 'signs' }, 'en').flatMap(({ lines }) =>
+    lines.map(({ at }) => at),
+  );
+const linesByMethod = new Map(methods.map((method) => [method, linesOf(method)]));
 
 /** A method whose runs have such an event at its line. */
 export function tellerOf({ e, at }: Event): Method {
-  if (ofRegions.test(at)) return 'weiler-atherton';
-  const teller = methods.find((method) => tells(method, e));
+  const tellers = methods.filter((method) => tells(method, e));
+  const teller = tellers.find((method) => linesByMethod.get(method)?.includes(at)) ?? tellers[0];
   if (teller === undefined) throw new Error(`no method tells ${e}`);
   return teller;
 }

@@ -5,10 +5,8 @@ import { Refusal, describe } from './refusal.js';
 
 /** The output of `vidno methods --json`: the editions of the procedures, and the kernels under which they run. */
 
-interface Bilingual {
-  readonly en: string;
-  readonly ru: string;
-}
+/** A text in each language of the program. */
+type Bilingual = Readonly<(typeof choices.methods)['warnock']['title']>;
 
 /** The editions with a name of their own. */
 export type NamedEdition = keyof typeof choices.editions;

@@ -51,10 +51,12 @@ type EventOf<M extends Method> = (typeof eventsOf)[M][number];
 type Windows = 'warnock' | Variant;
 type Common = EventOf<'zbuffer'> & EventOf<'weiler-atherton'>;
 export type CommonEvents = Pick<Events, Common>;
-export type WarnockEvents = Pick<Events, Exclude<EventOf<Windows>, Common>>;
-export type ZBufferEvents = Pick<Events, Exclude<EventOf<'zbuffer'>, Common>>;
-export type CurveEvents = Pick<Events, Exclude<EventOf<'floating-horizon'>, Common>>;
-export type RegionEvents = Pick<Events, Exclude<EventOf<'weiler-atherton'>, Common>>;
+/** The events of a method's runs, besides the common ones. */
+export type EventsOf<M extends Method> = Pick<Events, Exclude<EventOf<M>, Common>>;
+export type WarnockEvents = EventsOf<Windows>;
+export type ZBufferEvents = EventsOf<'zbuffer'>;
+export type CurveEvents = EventsOf<'floating-horizon'>;
+export type RegionEvents = EventsOf<'weiler-atherton'>;
 /** The events that only the variants of `warnock` have. */
 export type FamilyEvents = Omit<WarnockEvents, EventOf<'warnock'>>;
 

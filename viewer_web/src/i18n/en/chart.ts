@@ -1,4 +1,5 @@
 import type { ChartTexts } from '../../language/chart-texts.js';
+import { methodTitles } from '../../language/family-texts.js';
 import { costs, errors } from './chart-axes.js';
 import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
@@ -22,12 +23,7 @@ export const chart: ChartTexts = {
   cost: 'Cost',
   error: 'Error',
   series: 'Shown',
-  methods: {
-    warnock: 'Warnock',
-    zbuffer: 'Z-buffer',
-    'weiler-atherton': 'Weiler–Atherton',
-    ...family.methods,
-  },
+  methods: { ...methodTitles('en'), ...family.methods },
   variants: 'Variants of Warnock',
   variantNames: family.names,
   knobs: {

@@ -1,4 +1,5 @@
 import type { ChartTexts } from '../../language/chart-texts.js';
+import { methodTitles } from '../../language/family-texts.js';
 import { costs, errors } from './chart-axes.js';
 import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
@@ -23,9 +24,8 @@ export const chart: ChartTexts = {
   error: 'Ошибка',
   series: 'Показаны',
   methods: {
+    ...methodTitles('ru'),
     warnock: 'Варнок',
-    zbuffer: 'Z-буфер',
-    'weiler-atherton': 'Вейлер — Азертон',
     ...family.methods,
   },
   variants: 'Варианты алгоритма Варнока',
