@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -65,6 +66,17 @@ std::string document_format(std::string_view text) {
     FormatFinder finder;
     json::sax_parse(text, &finder);
     return finder.format;
+}
+
+std::string other_format(std::string_view format, std::string_view read) {
+    std::string reason = "not \"" + std::string(read) + '"';
+    const auto slash = format.find('/');
+    int version = 1;
+    if (!format.starts_with("vidno-") || slash == format.npos) return reason;
+    std::from_chars(format.data() + slash + 1, format.data() + format.size(), version);
+    if (version == 1) return reason;  // so far the version of every format
+    return reason + " but \"" + std::string(format) +
+           "\": " + (version > 1 ? "a newer vidno reads this file" : "run its scene again with this vidno");
 }
 
 }  // namespace vidno
