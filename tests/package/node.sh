@@ -36,21 +36,21 @@ same() {
 for scene in "$lessons"/{01-four-relations,05-polygon-clip,08-show-line}/scene.json; do
     for method in warnock zbuffer; do
         same trace "$scene" --method "$method" --check -o run.jsonl
-        same check "$scene" --method "$method" --kernel float --list decisions.csv
+        same check "$scene" --method "$method" --kernel float
         same figure run.jsonl --step 30 -o figure.svg
         same figure run.jsonl --step 30 --language ru -o figure.tex
         same replay run.jsonl -o states.jsonl
     done
     same need "$scene" -o least.json
 done
-same trace "$lessons"/surfaces/waves-and-pit.json --detail windows -o curves.jsonl
+same trace "$lessons"/../tests/wasm/hills.json --method floating-horizon -o curves.jsonl
 same trace "$lessons"/08-show-line/scene.json --method weiler-atherton -o regions.jsonl
 same diff run.jsonl curves.jsonl
 same methods --json
 same trace missing.json -o run.jsonl
 same trace "$lessons"/02-corner-depths/scene.json --kernel nonsense -o run.jsonl
 
-# A compressed trace is read by either program, and a function is evaluated alike.
+# A compressed trace is read by either program.
 npx --offline vidno trace "$lessons"/05-polygon-clip/scene.json -o run.jsonl.gz
 "$program" trace "$lessons"/05-polygon-clip/scene.json -o plain.jsonl
 zcat run.jsonl.gz | cmp - plain.jsonl
