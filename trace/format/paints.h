@@ -8,6 +8,16 @@
 
 namespace vidno {
 
+/// The row of a run of pixels: its own, or that of its event.
+template <class E, class Run>
+int row_of(const E& event, const Run& run) {
+    if constexpr (requires { run.row; }) {
+        return run.row;
+    } else {
+        return event.row;
+    }
+}
+
 /// Whether the event paints this pixel. An event that has runs of pixels paints these. Clear, which paints them all, is not counted.
 template <class E>
 bool paints(const E& event, int x, int y) {
@@ -15,15 +25,8 @@ bool paints(const E& event, int x, int y) {
         const auto& [left, top, width, height] = event.rect;
         return Area{left, top, width, height}.contains(x, y);
     } else if constexpr (requires { event.runs; }) {
-        return std::any_of(event.runs.begin(), event.runs.end(), [&](const auto& run) {
-            int row = 0;
-            if constexpr (requires { run.row; }) {
-                row = run.row;
-            } else {
-                row = event.row;  // that of a span
-            }
-            return row == y && run.first <= x && x < run.end;
-        });
+        return std::any_of(event.runs.begin(), event.runs.end(),
+                           [&](const auto& run) { return row_of(event, run) == y && run.first <= x && x < run.end; });
     } else {
         return false;
     }
