@@ -1,4 +1,5 @@
-# Checks that each folder of trace/ includes only itself and the folders before it. Run with -P; TRACE is the folder.
+# Checks that each folder of trace/ includes only itself and the folders before it, and that the recorder makes each event of the table.
+# Run with -P; TRACE is the folder.
 cmake_minimum_required(VERSION 3.25)
 set(folders json choice picture scene format event_table run check state margin regions import chart stability sign_map homework page
             figure grade lesson wasm cli)
@@ -24,4 +25,22 @@ foreach(file IN LISTS files)
 endforeach()
 if(included LESS 100)
     message(FATAL_ERROR "only ${included} includes were found")
+endif()
+
+# A judged run makes Disagree; the recorder makes all others.
+file(READ ${TRACE}/run/recorder.h recorder)
+file(STRINGS ${TRACE}/format/event.h structs REGEX "^    static constexpr Kind kind|^struct [A-Za-z]+ {")
+set(events 0)
+foreach(line IN LISTS structs)
+    if(line MATCHES "^struct ([A-Za-z]+)")
+        set(event ${CMAKE_MATCH_1})
+    else()
+        math(EXPR events "${events} + 1")
+        if(NOT event STREQUAL "Disagree" AND NOT recorder MATCHES "<event::${event}>")
+            message(FATAL_ERROR "run/recorder.h makes no event::${event}: runs leave it out")
+        endif()
+    endif()
+endforeach()
+if(events LESS 80)
+    message(FATAL_ERROR "only ${events} events were found")
 endif()

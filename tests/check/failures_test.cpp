@@ -9,8 +9,10 @@
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 
 #include "check/check.h"
+#include "check/seen_failure.h"
 #include "output.h"
 #include "run/floating_horizon_run.h"
 #include "scene/sampling.h"
@@ -232,6 +234,29 @@ TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy do
         std::visit([&](const auto& scene) { check_entry(entry.told, scene); }, *entry.scene);
     }
     CHECK(scenes >= 30);
+}
+
+TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it, by each algorithm") {
+    // N covers (8, 8) and lies in front of Q.
+    const Scene scene = SceneBuilder(area_16).polygon("Q", red, far_quad).polygon("N", green, near_square).build();
+    for (const auto& [method, paints] : std::to_array<std::pair<std::string, std::string>>(
+             {{"warnock", "fill"}, {"zbuffer", "span"}, {"weiler-atherton", "paint"}})) {
+        CAPTURE(method);
+        Failure failure;
+        failure.scene = scene;
+        failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        failure.shows.pixel = std::pair(8, 8);
+        const SeenFailure found = seen(failure);
+        CHECK(found.there.english == "N is painted, not N");
+        REQUIRE(found.step);
+
+        std::string trace;
+        write_failing_run(failure, [&](std::string_view part) { trace += part; });
+        std::istringstream lines(trace);
+        std::string line;
+        for (std::uint64_t at = 0; at <= *found.step; ++at) std::getline(lines, line);  // the header is line 0
+        CHECK(json::parse(line).at("e") == paints);
+    }
 }
 
 TEST_CASE("Failures: an entry without a scene has a test of its name") {

@@ -6,6 +6,7 @@
 
 #include "check/judged_run.h"
 #include "choice/method.h"
+#include "format/paints.h"
 #include "run/floating_horizon_run.h"
 #include "run/run.h"
 #include "run/write_trace.h"
@@ -95,23 +96,18 @@ struct Painted {
 
 Painted painted(const AnyScene& scene, const NamedRun& run, const std::pair<int, int>& pixel) {
     const int x = pixel.first, y = pixel.second;
-    const auto is_in = [x](const auto& columns) { return columns.first <= x && x < columns.end; };
     Painted last;
     Color of_polygon;
     follow(scene, run, [&](std::uint64_t step, const EventView& event) {
         if (const auto* polygon = event.get_if<event::Polygon>()) of_polygon = polygon->color;
-        if (const auto* fill = event.get_if<event::Fill>()) {
-            const auto& [left, top, width, height] = fill->rect;
-            if (Area{left, top, width, height}.contains(x, y)) last = {step, fill->color};
-        } else if (const auto* draw = event.get_if<event::Draw>()) {
-            const auto& runs = draw->runs;
-            if (std::any_of(runs.begin(), runs.end(), [&](const auto& each) { return each.row == y && is_in(each); })) {
-                last = {step, draw->color};
+        event.visit([&](const auto& told) {
+            if (!paints(told, x, y)) return;
+            if constexpr (requires { Color(told.color); }) {
+                last = {step, told.color};
+            } else {
+                last = {step, of_polygon};
             }
-        } else if (const auto* span = event.get_if<event::Span>()) {
-            const bool paints = span->row == y && std::any_of(span->runs.begin(), span->runs.end(), is_in);
-            if (paints) last = {step, of_polygon};
-        }
+        });
     });
     return last;
 }

@@ -11,8 +11,8 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double gap = 4;     // millimetres between panels and parts
-constexpr double wide = 110;  // a panel has text beside its plane, not below
+constexpr double gap = 4;           // millimetres between panels and parts
+constexpr double wide_panel = 110;  // a panel has text beside its plane, not below
 constexpr double least_plane = 38, least_text = 76;
 
 /// The number of columns of a strip, so that the last row is as full as possible.
@@ -40,7 +40,7 @@ Figure::Figure(const Options& options) : options_(options), columns_(columns_for
     text_width_ = is_beside() ? panel_width_ - plane_width_ - gap : panel_width_;
 }
 
-bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide; }
+bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide_panel; }
 
 Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& history) const {
     const Style& style = options_.style;
@@ -116,13 +116,13 @@ Drawing Figure::panel(std::size_t moment) const {
         drawing.place(planes_.drawings[moment], {0, 0});
         y = planes_.height;
     }
-    double beside = is_beside() ? 0 : y;
+    double text_y = is_beside() ? 0 : y;
     for (const auto& [drawings, height] : texts_) {
-        if (beside > 0) beside += gap / 2;
-        drawing.place(drawings[moment], {panel_width_ - text_width_, beside});
-        beside += height;
+        if (text_y > 0) text_y += gap / 2;
+        drawing.place(drawings[moment], {panel_width_ - text_width_, text_y});
+        text_y += height;
     }
-    drawing.height = std::max(y, beside);
+    drawing.height = std::max(y, text_y);
     if (options_.moments > 1) {
         drawing.height += line_height;
         const Point middle{options_.shows_plane() ? plane_width_ / 2 : panel_width_ / 2, drawing.height - 0.8};

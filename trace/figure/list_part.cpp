@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "choice/algorithm.h"
 #include "notation.h"
 #include "parts.h"
 #include "refused.h"
@@ -102,8 +103,12 @@ Drawing list_part(const Moment& moment, const Style& style, double width) {
     if (header.detail < Detail::polygons) {
         throw Refused("list: a trace of level windows tells no APL and no AEL");
     }
-    if (header.method == Method::weiler_atherton) return region_list(moment, style, width);
-    Table table = is_warnock(header.method) ? active_polygons(moment, style) : active_edges(moment, style, width);
+    Table table;
+    switch (algorithm_of(header.method)) {
+        case Algorithm::warnock: table = active_polygons(moment, style); break;
+        case Algorithm::z_buffer: table = active_edges(moment, style, width); break;
+        case Algorithm::weiler_atherton: return region_list(moment, style, width);
+    }
     shorten(table, words_of(style.language));
     return drawn(table, width, style.letters);
 }

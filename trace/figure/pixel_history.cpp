@@ -1,5 +1,6 @@
 #include "pixel_history.h"
 
+#include "format/paints.h"
 #include "notation.h"
 #include "table.h"
 
@@ -34,13 +35,7 @@ public:
     Found operator()(const event::Uncover&) { return within(fact); }
     Found operator()(const event::Nearest&) { return within(yes); }
     Found operator()(const event::Decide&) { return within(fact); }
-    Found operator()(const event::Fill& e) {
-        const auto& [x, y, width, height] = e.rect;
-        const bool holds = x <= pixel_.x && pixel_.x < x + width && y <= pixel_.y && pixel_.y < y + height;
-        return holds ? Found(paint) : std::nullopt;
-    }
-    Found operator()(const event::Draw& e) { return covers(e.runs) ? Found(paint) : within(no); }
-    Found operator()(const event::Paint& e) { return covers(e.runs) ? Found(paint) : std::nullopt; }
+    Found operator()(const event::Draw& e) { return covers(e) ? Found(paint) : within(no); }
     Found operator()(const event::Clear&) { return paint; }
     Found operator()(const event::ShownLine& e) {
         inside_ = e.row == pixel_.y;
@@ -52,20 +47,13 @@ public:
     }
     Found operator()(const event::Span& e) {
         if (e.row != pixel_.y) return std::nullopt;
-        const bool covers = std::any_of(e.runs.begin(), e.runs.end(), [&](const ColumnRun& run) {
-            return run.first <= pixel_.x && pixel_.x < run.end;
-        });
-        return covers ? paint : no;
+        return covers(e) ? paint : no;
     }
     Found operator()(const event::Fault& e) { return e.x == pixel_.x && e.y == pixel_.y ? Found(no) : std::nullopt; }
-    Found operator()(const auto&) { return std::nullopt; }
+    Found operator()(const auto& e) { return covers(e) ? Found(paint) : std::nullopt; }
 
 private:
-    bool covers(const std::vector<PixelRun>& runs) const {
-        return std::any_of(runs.begin(), runs.end(), [&](const PixelRun& run) {
-            return run.row == pixel_.y && run.first <= pixel_.x && pixel_.x < run.end;
-        });
-    }
+    bool covers(const auto& e) const { return paints(e, pixel_.x, pixel_.y); }
     Found within(Meaning meaning) const { return inside_ ? Found(meaning) : std::nullopt; }
 
     Pixel pixel_;

@@ -5,10 +5,10 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr std::string_view font = "Helvetica, Arial, 'Liberation Sans', 'Nimbus Sans', sans-serif";
+constexpr std::string_view font_family = "Helvetica, Arial, 'Liberation Sans', 'Nimbus Sans', sans-serif";
 
 /// Text for XML, without the characters that XML cannot represent.
-std::string escaped(std::string_view text) {
+std::string escaped_for_xml(std::string_view text) {
     std::string written;
     for (const char32_t c : characters_of(text)) {
         const bool allowed = c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c < 0xd800) ||
@@ -25,7 +25,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string attribute(std::string_view name, std::string_view value) {
-    return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+    return " " + std::string(name) + "=\"" + escaped_for_xml(value) + "\"";
 }
 
 std::string hex(const Color& color) {
@@ -64,7 +64,7 @@ std::string element(const Label& label) {
     if (label.anchor != Anchor::start)
         text += attribute("text-anchor", label.anchor == Anchor::middle ? "middle" : "end");
     if (!(label.color == Color{})) text += attribute("fill", hex(label.color));
-    return text + ">" + escaped(label.text) + "</text>\n";
+    return text + ">" + escaped_for_xml(label.text) + "</text>\n";
 }
 
 }  // namespace
@@ -75,8 +75,9 @@ std::string svg_of(const Drawing& drawing, const About& about) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
                        attribute("width", width + "mm") + attribute("height", height + "mm") +
                        attribute("viewBox", "0 0 " + width + " " + height) +
-                       attribute("xml:lang", code_of(about.language)) + attribute("font-family", font) +
-                       attribute("stroke-linejoin", "round") + ">\n<title>" + escaped(about.title) + "</title>\n";
+                       attribute("xml:lang", code_of(about.language)) + attribute("font-family", font_family) +
+                       attribute("stroke-linejoin", "round") + ">\n<title>" + escaped_for_xml(about.title) +
+                       "</title>\n";
     text += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     for (const auto& thing : drawing.things) {
         text += std::visit([](const auto& each) { return element(each); }, thing);

@@ -62,7 +62,7 @@ constexpr auto in_tex = std::to_array<std::pair<char32_t, std::string_view>>({
     {U'≮', "\\ensuremath{\\not<}"},
 });
 
-std::string escaped(std::string_view text) {
+std::string escaped_for_tex(std::string_view text) {
     std::string written;
     for (const char32_t c : characters_of(text)) {
         const auto found =
@@ -111,8 +111,8 @@ std::string command(const Label& label) {
     const std::string font = "\\fontsize{" + decimal(label.size) + "bp}{" + decimal(1.2 * label.size) +
                              "bp}\\selectfont" + (label.bold ? "\\bfseries" : "");
     return "\\node[anchor=" + options + ", font=" + font + "] at " + at(label.at) + " {\\vidnofit{" +
-           decimal(letters_of_tex * width_of(label.text, label.size, label.bold)) + "mm}{" + escaped(label.text) +
-           "}};\n";
+           decimal(letters_of_tex * width_of(label.text, label.size, label.bold)) + "mm}{" +
+           escaped_for_tex(label.text) + "}};\n";
 }
 
 std::string environment(const Drawing& drawing) {

@@ -2,6 +2,7 @@
 #include <set>
 #include <tuple>
 
+#include "choice/algorithm.h"
 #include "notation.h"
 #include "parts.h"
 #include "weiler_atherton_parts.h"
@@ -87,9 +88,11 @@ void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane) {
 }
 
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
-    if (is_warnock(moment.header().method)) return draw_quadtree(to, moment, plane);
-    if (moment.header().method == Method::weiler_atherton) return draw_lists(to, moment, plane, style);
-    draw_scanline(to, moment, plane);
+    switch (algorithm_of(moment.header().method)) {
+        case Algorithm::warnock: return draw_quadtree(to, moment, plane);
+        case Algorithm::z_buffer: return draw_scanline(to, moment, plane);
+        case Algorithm::weiler_atherton: return draw_lists(to, moment, plane, style);
+    }
 }
 
 }  // namespace vidno::figures

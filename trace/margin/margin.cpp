@@ -272,7 +272,7 @@ std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
 }
 
 /// The part of a line inside the other half-planes, from `low` to `high` along it. An end without a value is at infinity.
-struct Part {
+struct LinePart {
     std::optional<Rational> low, high;
     bool is_empty = false;
 
@@ -314,7 +314,7 @@ void find_bounds(std::vector<Side>& sides) {
             continue;
         }
         const Ray along(on == sides.end() ? side.value : on->value);
-        Part part;
+        LinePart part;
         for (const auto& other : sides) {
             if (&other == &side || (on != sides.end() && &other == &*on)) continue;
             if (is_zero(other)) {

@@ -73,9 +73,6 @@ void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission a
     vertices.refuse(reason_of(admission));
 }
 
-/// Whether members with a default may be left out; they may not in the header of a trace.
-enum class Defaults { taken, none };
-
 class SceneReader {
 public:
     explicit SceneReader(std::string file, Defaults defaults = Defaults::taken)

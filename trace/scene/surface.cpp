@@ -94,9 +94,6 @@ std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& ro
 /// The limits of the columns of any window.
 constexpr Area any_columns{-farthest_offset, 0, 2 * (farthest_offset - 1), 1};
 
-/// Whether members with a default may be left out; they may not in the header of a trace.
-enum class Defaults { taken, none };
-
 class SurfaceReader {
 public:
     explicit SurfaceReader(const JsonNode& root, Defaults defaults = Defaults::taken)

@@ -1,3 +1,4 @@
+#include "choice/algorithm.h"
 #include "choice/method.h"
 #include "state/state.h"
 #include "state/state_text.h"
@@ -14,15 +15,20 @@ public:
         begin(state_);
         out_ += ",\"picture\":";
         picture();
-        const bool has_windows = is_warnock(state_.header().method);
-        out_ += ",\"warnock\":";
-        has_windows ? warnock() : null();
-        out_ += ",\"zbuffer\":";
-        const bool has_regions = state_.header().method == Method::weiler_atherton;
-        has_windows || has_regions ? null() : z_buffer();
-        if (has_regions) {
-            out_ += ",\"weilerAtherton\":";
-            weiler_atherton();
+        switch (algorithm_of(state_.header().method)) {
+            case Algorithm::warnock:
+                out_ += ",\"warnock\":";
+                warnock();
+                out_ += ",\"zbuffer\":null";
+                break;
+            case Algorithm::z_buffer:
+                out_ += ",\"warnock\":null,\"zbuffer\":";
+                z_buffer();
+                break;
+            case Algorithm::weiler_atherton:
+                out_ += ",\"warnock\":null,\"zbuffer\":null,\"weilerAtherton\":";
+                weiler_atherton();
+                break;
         }
         out_ += "}\n";
         return out_.string();

@@ -4,6 +4,7 @@
 
 #include "chart/chart.h"
 #include "check/seen_failure.h"
+#include "choice/algorithm.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
@@ -174,10 +175,14 @@ figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std:
 }
 
 std::string method_in(const TraceHeader& header, const figures::FigureWords& words) {
-    if (header.method == Method::weiler_atherton) return std::string(words.weiler_atherton);
-    const std::string method(is_warnock(header.method) ? words.warnock : words.z_buffer);
-    return is_family(header.method) ? method + " (" + std::string(method_names[std::size_t(header.method)]) + ")"
-                                    : method;
+    std::string method;
+    switch (algorithm_of(header.method)) {
+        case Algorithm::warnock: method = words.warnock; break;
+        case Algorithm::z_buffer: method = words.z_buffer; break;
+        case Algorithm::weiler_atherton: method = words.weiler_atherton; break;
+    }
+    if (is_family(header.method)) method += " (" + std::string(method_names[std::size_t(header.method)]) + ")";
+    return method;
 }
 std::string method_in(const FloatingHorizonHeader&, const figures::FigureWords& words) {
     return std::string(words.floating_horizon);
