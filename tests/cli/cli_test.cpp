@@ -131,7 +131,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
         {"P6\n2 1\n255\n", ":1: not JSON"},
         {R"({"format":"vidno-trace/2"})"
          "\n",
-         ":1: /format: not a trace"},
+         ":1: /format: not \"vidno-trace/1\" but \"vidno-trace/2\": a newer vidno reads this file"},
         {R"({"format":"vidno-trace/1","method":"painter"})"
          "\n",
          ":1: /method: unknown word"},

@@ -1,4 +1,4 @@
-/// The window of a scene without one.
+/// What a scene may leave out: members with a default, and its window.
 #pragma once
 
 #include <optional>
