@@ -49,7 +49,9 @@ if inside vidno chart scene.json -o chart.svg; then exit 1; fi
 
 say "apt install ./libvidno-dev_*.deb cmake g++ ninja-build"
 inside sh -euc 'apt-get install -y -q --no-install-recommends ./packages/libvidno-dev_*.deb cmake g++ ninja-build' | tail -n 2
-run 'cmake -S consumer -B built -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null && cmake --build built >/dev/null && built/consumer' |
+version=$(inside vidno --version)
+run "cmake -S consumer -B built -G Ninja -DCMAKE_BUILD_TYPE=Release -DVIDNO_VERSION=${version#vidno } >/dev/null &&
+    cmake --build built >/dev/null && built/consumer" |
     tee "$root/consumer.txt"
 # The picture is that of consumer/run.cmake.
 [[ $(grep -c '^tttt\.\.\.\.$' "$root/consumer.txt") == 2 ]]

@@ -133,7 +133,7 @@ TEST_CASE("keys and types are strict") {
         {R"({"format": "vidno-scene/2", "polygons": [)" + std::string(triangle) + "]}",
          "/format: not \"vidno-scene/1\" but \"vidno-scene/2\": a newer vidno reads this file"},
         {R"({"format": "vidno-scene/0", "polygons": [)" + std::string(triangle) + "]}",
-         "/format: not \"vidno-scene/1\" but \"vidno-scene/0\": run its scene again with this vidno"},
+         "/format: not \"vidno-scene/1\" but \"vidno-scene/0\": an older vidno reads this file"},
         {R"({"format": "picture/2", "polygons": [)" + std::string(triangle) + "]}", "/format: not \"vidno-scene/1\""},
         {R"({"format": 1, "polygons": [)" + std::string(triangle) + "]}", "/format: not a string"},
         {scene_with(triangle, R"("light": 1, )"), "/light: unknown key"},

@@ -59,6 +59,8 @@ std::string roff(const std::string& text) {
             escaped += "\\e";
         } else if (c == '-') {
             escaped += "\\-";
+        } else if (c == ',') {
+            escaped += ",\\:";  // a long list of words may break here
         } else {
             escaped += c;
         }
@@ -89,7 +91,7 @@ void write_command(std::ostream& out, const CLI::App& app, const std::string& na
 
 void write_manual(std::ostream& out, const CLI::App& program) {
     out << ".TH VIDNO 1 \"\" \"vidno " VIDNO_VERSION
-           "\" \"User commands\"\n.SH NAME\nvidno \\- hidden-surface procedures, step by step\n"
+           "\" \"User commands\"\n.ad l\n.SH NAME\nvidno \\- hidden-surface procedures, step by step\n"
         << ".SH SYNOPSIS\n.B vidno\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n"
         << roff(program.get_description()) << '\n'
         << roff(program.get_footer()) << "\n.SH OPTIONS\n";

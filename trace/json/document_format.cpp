@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 namespace vidno {
@@ -60,6 +61,16 @@ private:
     bool is_format_ = false;  // the key of the outermost object that was read last
 };
 
+/// 2 for "vidno-trace/2"; none for a format that is not of vidno.
+std::optional<int> version_of(std::string_view format) {
+    const auto slash = format.find('/');
+    if (!format.starts_with("vidno-") || slash == format.npos) return std::nullopt;
+    const char* end = format.data() + format.size();
+    int version = 0;
+    const auto [stop, error] = std::from_chars(format.data() + slash + 1, end, version);
+    return error == std::errc{} && stop == end ? std::optional(version) : std::nullopt;
+}
+
 }  // namespace
 
 std::string document_format(std::string_view text) {
@@ -70,13 +81,11 @@ std::string document_format(std::string_view text) {
 
 std::string other_format(std::string_view format, std::string_view read) {
     std::string reason = "not \"" + std::string(read) + '"';
-    const auto slash = format.find('/');
-    int version = 1;
-    if (!format.starts_with("vidno-") || slash == format.npos) return reason;
-    std::from_chars(format.data() + slash + 1, format.data() + format.size(), version);
-    if (version == 1) return reason;  // so far the version of every format
-    return reason + " but \"" + std::string(format) +
-           "\": " + (version > 1 ? "a newer vidno reads this file" : "run its scene again with this vidno");
+    const auto found = version_of(format);
+    const auto known = version_of(read);
+    if (!found || found == known) return reason;
+    return reason + " but \"" + std::string(format) + "\": " + (found > known ? "a newer" : "an older") +
+           " vidno reads this file";
 }
 
 }  // namespace vidno

@@ -5,8 +5,10 @@ install(FILES trace/LICENCES.md CHANGELOG.md COMPATIBILITY.md DESTINATION ${CMAK
 install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libvidno-dev COMPONENT library)
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_VENDOR "the vidno authors")
-set(CPACK_PACKAGE_CONTACT "the vidno authors <vidno@localhost>")
+file(STRINGS LICENSE holder REGEX "^Copyright")
+string(REGEX REPLACE "^Copyright \\(c\\) [0-9]+ " "" holder "${holder}")
+set(CPACK_PACKAGE_VENDOR "${holder}")
+set(CPACK_PACKAGE_CONTACT "${holder}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
