@@ -1,9 +1,7 @@
 #include "output.h"
 
 #include <fcntl.h>
-#include <isa-l/igzip_lib.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -28,15 +26,6 @@ namespace {
     throw Refused(name + ": " + what + ": " + std::strerror(errno));
 }
 
-gzFile open_to_read(const std::string& name) {
-    errno = 0;
-    if (name == "-") return gzdopen(dup(STDIN_FILENO), "rb");
-    if (std::filesystem::is_directory(name)) throw Refused(name + ": is a directory");
-    const gzFile file = gzopen(name.c_str(), "rb");
-    if (!file) refuse(name, "cannot read");
-    return file;
-}
-
 }  // namespace
 
 std::string read_file(const std::string& name) {
@@ -52,78 +41,6 @@ std::string read_file(const std::string& name) {
     }
     return std::move(bytes).str();
 }
-
-std::string gzipped(std::string_view bytes) {
-    z_stream stream{};
-    constexpr int gzip_window = 15 + 16;
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    std::string packed;
-    std::string part(std::size_t{1} << 16, '\0');
-    int status = Z_OK;
-    while (status != Z_STREAM_END) {
-        if (stream.avail_in == 0 && !bytes.empty()) {
-            const auto given = bytes.substr(0, std::size_t{1} << 30);
-            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(given.data()));
-            stream.avail_in = uInt(given.size());
-            bytes.remove_prefix(given.size());
-        }
-        stream.next_out = reinterpret_cast<Bytef*>(part.data());
-        stream.avail_out = uInt(part.size());
-        status = deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
-        packed.append(part, 0, part.size() - stream.avail_out);
-    }
-    deflateEnd(&stream);
-    return packed;
-}
-
-namespace {
-
-/// Compresses into a file as one gzip member, without a name or a time. ISA-L compresses a trace ten times as fast as zlib at level 6; the
-/// file is two fifths larger.
-class Packer {
-public:
-    explicit Packer(std::FILE* file) : file_(file) {
-        isal_deflate_init(&stream_);
-        stream_.gzip_flag = IGZIP_GZIP;
-        stream_.level = 1;
-        stream_.level_buf = room_.data();
-        stream_.level_buf_size = std::uint32_t(room_.size());
-    }
-
-    /// Whether the write succeeded.
-    bool write(std::string_view bytes) {
-        while (!bytes.empty()) {
-            const auto part = bytes.substr(0, std::size_t{1} << 30);
-            if (!pack(part, false)) return false;
-            bytes.remove_prefix(part.size());
-        }
-        return true;
-    }
-    bool finish() { return pack({}, true); }
-
-private:
-    bool pack(std::string_view bytes, bool is_last) {
-        stream_.next_in = reinterpret_cast<std::uint8_t*>(const_cast<char*>(bytes.data()));
-        stream_.avail_in = std::uint32_t(bytes.size());
-        stream_.end_of_stream = is_last ? 1 : 0;
-        do {
-            stream_.next_out = packed_.data();
-            stream_.avail_out = std::uint32_t(packed_.size());
-            isal_deflate(&stream_);
-            const std::size_t size = packed_.size() - stream_.avail_out;
-            if (std::fwrite(packed_.data(), 1, size, file_) != size) return false;
-        } while (stream_.avail_out == 0);
-        return true;
-    }
-
-    std::FILE* file_;
-    isal_zstream stream_;
-    std::vector<std::uint8_t> room_ = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
-    std::vector<std::uint8_t> packed_ = std::vector<std::uint8_t>(std::size_t{1} << 16);
-};
-
-}  // namespace
 
 namespace {
 
@@ -164,7 +81,7 @@ void remove_unfinished_files() noexcept { Unfinished::remove_all(); }
 struct OutputFile::Stream {
     std::FILE* file = nullptr;
     std::optional<Unfinished> unfinished;
-    std::optional<Packer> packer;  // for a file that is packed
+    std::optional<QuickPacker> packer;  // for a file that is packed
 
     bool write(std::string_view bytes) {
         return packer ? packer->write(bytes) : std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -223,10 +140,7 @@ void write_file(const std::string& name, std::string_view bytes, Packing packing
 
 /// A file, or none for text that the buffer holds from the start.
 struct LineReader::Source {
-    gzFile file = nullptr;
-    ~Source() {
-        if (file) gzclose(file);
-    }
+    std::optional<PackedFile> file;
 };
 
 LineReader::LineReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
@@ -234,7 +148,10 @@ LineReader::LineReader(LineReader&&) noexcept = default;
 LineReader::~LineReader() = default;
 
 LineReader::LineReader(const std::string& name) : LineReader(std::make_unique<Source>()) {
-    source_->file = open_to_read(name);
+    if (name != "-" && std::filesystem::is_directory(name)) throw Refused(name + ": is a directory");
+    errno = 0;
+    source_->file.emplace(name);
+    if (!source_->file->is_open()) refuse(name, "cannot read");
 }
 
 LineReader LineReader::of_text(std::string text) {
@@ -250,10 +167,9 @@ bool LineReader::refill() {
     constexpr std::size_t block = std::size_t{1} << 16;
     const std::size_t size = buffer_.size();
     buffer_.resize(size + block);
-    const int count = gzread(source_->file, buffer_.data() + size, block);
-    buffer_.resize(size + std::size_t(std::max(count, 0)));
-    if (count < 0) cut_ = true;
-    if (count <= 0 && !gzeof(source_->file)) cut_ = true;
+    const std::size_t count = source_->file->read(buffer_.data() + size, block);
+    buffer_.resize(size + count);
+    if (count == 0 && source_->file->is_cut()) cut_ = true;
     return count > 0;
 }
 

@@ -6,15 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "gzip.h"
 #include "refused.h"
 
 namespace vidno {
 
 /// The contents of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
-
-/// The bytes compressed by gzip at its best level, the same on every machine.
-std::string gzipped(std::string_view bytes);
 
 /// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.
 enum class Packing : unsigned char { quick, done };

@@ -1,9 +1,10 @@
 import { defineConfig } from 'vite';
 import { singleFile } from './plugins/single-file.js';
+import { version } from './plugins/version.js';
 
 /** The page of cost against error. It is built separately, because each page must be a single script. */
 export default defineConfig({
-  plugins: [singleFile('chart.html')],
+  plugins: [version(), singleFile('chart.html')],
   build: {
     target: 'es2022',
     modulePreload: false,

@@ -5,6 +5,7 @@ import { atlas } from './plugins/atlas.js';
 import { library } from './plugins/library.js';
 import { lessons } from './plugins/lessons.js';
 import { singleFile } from './plugins/single-file.js';
+import { version } from './plugins/version.js';
 import { workerCode } from './plugins/worker-code.js';
 
 const traces = process.env['VIDNO_TRACES'] ?? '../build/lessons';
@@ -14,6 +15,7 @@ const workers: Rollup.OutputChunk[] = [];
 
 export default defineConfig({
   plugins: [
+    version(),
     workerCode(workers),
     lessons(resolve(traces)),
     library(resolve(wasm)),

@@ -131,7 +131,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
         {"P6\n2 1\n255\n", ":1: not JSON"},
         {R"({"format":"vidno-trace/2"})"
          "\n",
-         ":1: /format: not a trace"},
+         ":1: /format: not \"vidno-trace/1\" but \"vidno-trace/2\": a newer vidno reads this file"},
         {R"({"format":"vidno-trace/1","method":"painter"})"
          "\n",
          ":1: /method: unknown word"},
@@ -201,6 +201,22 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
         CHECK_FALSE(work.has("a.ppm"));
     }
     CHECK_MESSAGE(work.files() == 3, "no temporary file stays behind");
+}
+
+TEST_CASE("A file of another version is refused with advice by each command that reads it") {
+    const Workplace work;
+    const auto refused = [&](const std::string& command, const std::string& format, const std::string& out) {
+        const std::string file = work.write("other.json", R"({"format":")" + format + "\"}\n");
+        const auto [status, text] = program(command + ' ' + file + " -o " + work.file(out));
+        CHECK(status == 2);
+        CHECK_MESSAGE(text.find(" but \"" + format + "\": a newer vidno reads this file") != std::string::npos, text);
+    };
+    for (const std::string name : {"scene", "surface", "failure"})
+        refused("trace", "vidno-" + name + "/2", "run.jsonl");
+    refused("replay", "vidno-trace/2", "states.jsonl");
+    refused("figure", "vidno-trace/2", "figure.svg");
+    refused("map", "vidno-question/2", "map.json");
+    refused("chart", "vidno-chart/2", "chart.svg");
 }
 
 TEST_CASE("The help and the README show the same scene of six lines, and it runs") {

@@ -1,5 +1,5 @@
 # Installs the library from BUILD, builds the consumer against the installed tree alone, and compares its output with a picture drawn by
-# hand. Run with -P.
+# hand. VERSION is the version of vidno. Run with -P.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 
@@ -9,7 +9,7 @@ endmacro()
 
 must(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/prefix)
 must(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-     -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+     -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DVIDNO_VERSION=${VERSION})
 must(${CMAKE_COMMAND} --build ${WORK}/build)
 
 execute_process(COMMAND ${WORK}/build/curves OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)

@@ -121,7 +121,7 @@ AnyChart read_chart(std::string_view text, const std::string& file) {
         const bool of_surfaces = node.has("surfaces");
         const std::string_view subjects = of_surfaces ? "surfaces" : "scenes";
         node.require_keys({"format", "rounds", subjects});
-        if (node.at("format").text() != "vidno-chart/1") node.at("format").refuse("not vidno-chart/1");
+        node.expect_format("vidno-chart/1");
         if (node.at(subjects).size() == 0) node.at(subjects).refuse("none");
         if (of_surfaces) return all_of(node.at(subjects), surface_of);
         return all_of(node.at(subjects), scene_of);

@@ -10,8 +10,6 @@ namespace vidno {
 
 namespace {
 
-bool is_wider(const Finding& a, const Finding& b) { return a.gap->ulps < b.gap->ulps; }
-
 /// Weiler and Atherton's algorithm compares the depths of two polygons as numbers.
 Coincidence meaning(Coincidence coincidence, const EventView& event) {
     const bool of_depths = event.get_if<event::Behind>() || event.get_if<event::Order>();
@@ -24,7 +22,7 @@ FindingList::FindingList(Procedure method, const Area& area, std::size_t narrowe
     : running_{method}, whereabouts_(area), most_narrow_(narrowest), most_zeros_(most_zeros) {}
 
 bool FindingList::is_narrow(const Gap& gap) const {
-    return most_narrow_ > 0 && (narrow_.size() < most_narrow_ || gap.ulps < narrow_.front().gap->ulps);
+    return most_narrow_ > 0 && (narrow_.size() < most_narrow_ || gap.ulps < narrow_.rbegin()->first);
 }
 
 void FindingList::judge(const Verdict& verdict) {
@@ -59,7 +57,7 @@ void FindingList::follow(const EventView& event) {
             for (std::size_t i = filling_; i < findings_.size(); ++i) {
                 if (findings_[i].procedure == Procedure::fill_polygon) findings_[i].polygons = {told.polygon};
             }
-            for (auto& each : narrow_) {
+            for (auto& [ulps, each] : narrow_) {
                 const bool is_of_this = each.procedure == Procedure::fill_polygon && each.polygons.empty();
                 if (is_of_this) each.polygons = {told.polygon};
             }
@@ -98,22 +96,24 @@ void FindingList::place(Finding finding, const EventView& event) {
 
 void FindingList::keep_narrow(Finding finding) {
     if (!is_narrow(*finding.gap)) return;
-    if (narrow_.size() == most_narrow_) {
-        std::pop_heap(narrow_.begin(), narrow_.end(), is_wider);
-        narrow_.pop_back();
-    }
-    narrow_.push_back(std::move(finding));
-    std::push_heap(narrow_.begin(), narrow_.end(), is_wider);
+    const double ulps = finding.gap->ulps;
+    narrow_.emplace(ulps, std::move(finding));
+    if (narrow_.size() > most_narrow_) narrow_.erase(std::prev(narrow_.end()));
 }
 
 std::vector<Finding> FindingList::findings() {
     for (auto& heard : heard_.rest()) {
         heard.finding.step = steps_;
         heard.finding.at = at_;
-        (heard.finding.kind == FindingKind::narrow ? narrow_ : findings_).push_back(std::move(heard.finding));
+        if (heard.finding.kind == FindingKind::narrow) {
+            const double ulps = heard.finding.gap->ulps;
+            narrow_.emplace(ulps, std::move(heard.finding));
+        } else {
+            findings_.push_back(std::move(heard.finding));
+        }
     }
     std::vector<Finding> all = std::move(findings_);
-    std::move(narrow_.begin(), narrow_.end(), std::back_inserter(all));
+    for (auto& [ulps, finding] : narrow_) all.push_back(std::move(finding));
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
     return all;
 }

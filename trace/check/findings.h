@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,9 +70,9 @@ private:
     std::uint64_t steps_ = 0;
     Line at_{};
     Pending<Heard> heard_;
-    std::vector<Finding> findings_;  // all but the narrow ones
-    std::vector<Finding> narrow_;    // a heap: the widest first
-    std::size_t filling_ = 0;        // where the findings of the FillPolygon that is running begin
+    std::vector<Finding> findings_;          // all but the narrow ones
+    std::multimap<double, Finding> narrow_;  // by ulps; of equals the first is the narrower, on every system
+    std::size_t filling_ = 0;                // where the findings of the FillPolygon that is running begin
     std::array<Zeros, coincidence_names.size()> zeros_{};
 };
 

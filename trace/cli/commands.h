@@ -5,7 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <span>
 
 namespace vidno::cli {
 
@@ -29,11 +29,9 @@ void add_worksheet(CLI::App& program, int& status);
 void add_import(CLI::App& program, int& status);
 void add_stability(CLI::App& program, int& status);
 void add_methods(CLI::App& program, int& status);
+void add_describe(CLI::App& program, int& status);
 
-/// In the order of the help.
-inline constexpr std::array commands{add_trace,    add_render,    add_check,  add_shrink,    add_need,
-                                     add_choose,   add_map,       add_margin, add_chart,     add_replay,
-                                     add_figure,   add_diff,      add_page,   add_lesson,    add_grade,
-                                     add_homework, add_worksheet, add_import, add_stability, add_methods};
+/// The commands of this program, in the order of the help. commands.cpp lists all; node/commands.cpp lists those of `npx vidno`.
+extern const std::span<void (*const)(CLI::App& program, int& status)> commands;
 
 }  // namespace vidno::cli

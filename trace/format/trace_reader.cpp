@@ -2,6 +2,7 @@
 
 #include "format/quick_event.h"
 #include "format/trace_header.h"
+#include "json/json_node.h"
 
 namespace vidno {
 
@@ -52,9 +53,8 @@ TraceFile::TraceFile(LineReader lines, std::string file) : lines_(std::move(line
     try {
         first_line_ = std::make_unique<nlohmann::json>(parse_line(line));
         if (!first_line_->is_object()) throw Refused("not an object");
-        if (!first_line_->contains("format") || (*first_line_)["format"] != "vidno-trace/1") {
-            throw Refused("/format: not a trace of format vidno-trace/1");
-        }
+        if (!first_line_->contains("format")) throw Refused("/format: not a trace of format vidno-trace/1");
+        JsonNode(*first_line_).expect_format("vidno-trace/1");
     } catch (const Refused& refused) {
         throw Refused(place() + ": " + refused.what());
     }

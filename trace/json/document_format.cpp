@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 namespace vidno {
@@ -59,12 +61,31 @@ private:
     bool is_format_ = false;  // the key of the outermost object that was read last
 };
 
+/// 2 for "vidno-trace/2"; none for a format that is not of vidno.
+std::optional<int> version_of(std::string_view format) {
+    const auto slash = format.find('/');
+    if (!format.starts_with("vidno-") || slash == format.npos) return std::nullopt;
+    const char* end = format.data() + format.size();
+    int version = 0;
+    const auto [stop, error] = std::from_chars(format.data() + slash + 1, end, version);
+    return error == std::errc{} && stop == end ? std::optional(version) : std::nullopt;
+}
+
 }  // namespace
 
 std::string document_format(std::string_view text) {
     FormatFinder finder;
     json::sax_parse(text, &finder);
     return finder.format;
+}
+
+std::string other_format(std::string_view format, std::string_view read) {
+    std::string reason = "not \"" + std::string(read) + '"';
+    const auto found = version_of(format);
+    const auto known = version_of(read);
+    if (!found || found == known) return reason;
+    return reason + " but \"" + std::string(format) + "\": " + (found > known ? "a newer" : "an older") +
+           " vidno reads this file";
 }
 
 }  // namespace vidno

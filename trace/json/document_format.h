@@ -10,4 +10,7 @@ namespace vidno {
 /// Reads no further than that, and does not report errors.
 std::string document_format(std::string_view text);
 
+/// Why a file of one format is not accepted where another is read. A file of another version gets advice.
+std::string other_format(std::string_view format, std::string_view read);
+
 }  // namespace vidno

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "json/document_format.h"
 #include "json/json_text.h"
 #include "json/unique_ids.h"
 
@@ -138,7 +139,7 @@ void JsonNode::require_keys(std::initializer_list<std::string_view> required,
 }
 
 void JsonNode::expect_format(std::string_view format) const {
-    if (has("format") && at("format").text() != format) at("format").refuse("not \"" + std::string(format) + '"');
+    if (has("format") && at("format").text() != format) at("format").refuse(other_format(at("format").text(), format));
 }
 
 std::size_t JsonNode::size() const {

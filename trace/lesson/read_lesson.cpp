@@ -58,7 +58,7 @@ public:
             const nlohmann::json document = parse_json(text_);
             const JsonNode root(document);
             root.require_keys({"format", "runs", "pins"}, {"shows"});
-            if (root.at("format").text() != "vidno-lesson/1") root.at("format").refuse("not \"vidno-lesson/1\"");
+            root.expect_format("vidno-lesson/1");
             const JsonNode runs = root.at("runs");
             if (runs.size() == 0) runs.refuse("a lesson has a run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));

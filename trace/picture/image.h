@@ -15,6 +15,9 @@ inline std::string rgb_rows(const Picture& picture) {
     return bytes;
 }
 
+/// The picture as the bytes of a PNG file. Throws Refused if it is too large; `name` is the file in the reason.
+std::string encode_png(const Picture& picture, const std::string& name);
+
 /// The picture as the bytes of a PNG or PPM file. The extension of `name` selects the format: .png or .ppm. Throws Refused for any other.
 std::string encode_image(const Picture& picture, const std::string& name);
 

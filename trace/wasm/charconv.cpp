@@ -66,6 +66,28 @@ to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value)
     return {write_fraction(first, digits, exponent), errc{}};
 }
 
+to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value, [[maybe_unused]] chars_format format) {
+    assert(format == chars_format::fixed && isfinite(value) && last - first >= 400);
+    if (signbit(value)) *first++ = '-';
+    if (value == 0) {
+        *first++ = '0';
+        return {first, errc{}};
+    }
+    const auto [significand, exponent] = fmt::detail::dragonbox::to_decimal(abs(value));
+    // A whole number is written with all digits, including those that reading back does not need.
+    if (exponent >= 0) return {first + snprintf(first, size_t(last - first), "%.0f", abs(value)), errc{}};
+    char room[20];
+    const string_view digits(room, size_t(to_chars(room, room + sizeof room, significand).ptr - room));
+    return {write_fraction(first, digits, exponent), errc{}};
+}
+
+to_chars_result to_chars(char* first, char* last, double value, chars_format format, int precision) {
+    const char* written = format == chars_format::fixed ? "%.*f" : "%.*e";
+    const int size = snprintf(first, size_t(last - first), written, precision, value);
+    if (size >= last - first) return {last, errc::value_too_large};
+    return {first + size, errc{}};
+}
+
 from_chars_result from_chars(const char* first, const char* last, double& value) {
     const auto [end, error] = fast_float::from_chars(first, last, value);
     return {end, isinf(value) ? errc::result_out_of_range : error};

@@ -8,7 +8,7 @@ endif()
 set(em_include ${PROJECT_BINARY_DIR}/em_include)
 file(MAKE_DIRECTORY ${em_include})
 foreach(header IN ITEMS glm/glm.hpp CGAL/version.h boost/version.hpp nlohmann/json.hpp fmt/format.h
-        fast_float/fast_float.h)
+        fast_float/fast_float.h CLI/CLI.hpp)
     get_filename_component(library ${header} DIRECTORY)
     find_path(${library}_include ${header} REQUIRED)
     file(CREATE_LINK ${${library}_include}/${library} ${em_include}/${library} SYMBOLIC)

@@ -1,10 +1,10 @@
-import { between, finite, list, oneOf, optional, plainObject } from '../trace/check.js';
+import { between, finite, formatOf, list, optional, plainObject } from '../trace/check.js';
 import type { Check } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
 /** Checks that charts of scenes and of surfaces share. */
 
-export const format = oneOf('vidno-chart/1');
+export const format = formatOf('vidno-chart/1');
 export const editions = ['corrected', 'printed'] as const;
 
 export const size: Check<number> = (value, path) => {

@@ -81,7 +81,7 @@ const bad: readonly (readonly [string, BlobPart, string, Reason])[] = [
   ['a number', '1e400', '', 'object'],
   ['brackets without end', '['.repeat(100_000), '', 'notJson'],
   ['a trace', '{"format":"vidno-trace/1"}', 'format', 'oneOf'],
-  ['a later format', but('chart/1', 'chart/2'), 'format', 'oneOf'],
+  ['a later format', but('chart/1', 'chart/2'), 'format', 'newerFormat'],
   ['no scenes', '{"format":"vidno-chart/1","rounds":5}', 'scenes', 'missing'],
   ['empty scenes', '{"format":"vidno-chart/1","rounds":5,"scenes":[]}', 'scenes', 'emptyList'],
   ['scenes by name', '{"format":"vidno-chart/1","rounds":5,"scenes":{}}', 'scenes', 'list'],

@@ -12,6 +12,10 @@ import type { Heading, Story } from './story.js';
 import { runName } from '../lessons/run-name.js';
 import { base } from '../elements/theme.js';
 
+/** The program and its version, as the page's head states it. */
+const generator = (): string =>
+  document.querySelector<HTMLMetaElement>('meta[name=generator]')?.content ?? '';
+
 /**
  * The lessons in the page: those without a text with their traces, the current one also with its headings. Events carry
  * requests: `choose` a trace, `visit` a heading, `leave` for anything in the text, and `follow` to set whether the run
@@ -116,6 +120,10 @@ export class LessonListElement extends LitElement {
         color: var(--soft);
         font-size: 0.875rem;
       }
+      .version {
+        padding-top: 0.4rem;
+        font-size: 0.75rem;
+      }
       .follow {
         display: flex;
         gap: 0.4rem;
@@ -156,6 +164,7 @@ export class LessonListElement extends LitElement {
       <ol>
         ${this.lessons.map((lesson) => this.lesson(lesson))}
       </ol>
+      <p class="version">${generator()}</p>
     `;
   }
 

@@ -41,7 +41,7 @@ describe('the file of a lesson', () => {
   });
 
   it.each<[string, unknown, string]>([
-    ['another format', sampleLesson({ format: 'vidno-lesson/2' }), 'format oneOf'],
+    ['a later format', sampleLesson({ format: 'vidno-lesson/2' }), 'format newerFormat'],
     ['a pin of no run', sampleLesson({ traces: { run: 'x' } }), 'pins.scanline.run noSuchRun'],
     ['no text', sampleLesson({ story: {} }), 'story.en missing'],
     ['a way to no pin', saying({ is: 'pin', pin: 'x', text: [] }), 'story.en noSuchPin x'],

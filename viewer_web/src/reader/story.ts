@@ -4,6 +4,7 @@ import {
   dictionary,
   list,
   oneKind,
+  formatOf,
   oneOf,
   optional,
   part,
@@ -160,7 +161,7 @@ const story: Check<Story> = (value, path) => {
 };
 
 const lesson = part({
-  format: oneOf('vidno-lesson/1'),
+  format: formatOf('vidno-lesson/1'),
   id: text,
   traces: dictionary(text),
   pins: dictionary(part({ run: text, step: count })),

@@ -10,6 +10,12 @@ it.each([
   ['{"title": {"polygons": 1}, "fails": {}}', 'failure'],
   ['{"format": "vidno-chart/1", "curves": []}', 'chart'],
   ['{"format":"vidno-trace/1","method":"warnock","scene":{"format":"vidno-scene/1"}}\n', 'trace'],
+  // The reader of a file reports that it is of another version.
+  ['{"format":"vidno-scene/2","polygons":[]}', 'scene'],
+  ['{"format":"vidno-surface/2"}', 'scene'],
+  ['{"format":"vidno-failure/2"}', 'failure'],
+  ['{"format":"vidno-chart/2"}', 'chart'],
+  ['{"format":"vidno-trace/2"}\n', 'trace'],
   // The library reports the error and its place.
   ['{\n  "windw": {"x": 0},\n  "background": "white"\n}', 'scene'],
   ['{\n  "polygons": [\n    {"vertices" [[0', 'scene'],

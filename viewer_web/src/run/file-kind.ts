@@ -6,12 +6,13 @@ export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';
 /** The length of text that suffices to recognize a file. */
 const peek = 2 ** 16;
 
+/** By the name of the format. Whoever reads a file of another version reports that. */
 const kinds: ReadonlyMap<string, FileKind> = new Map([
-  ['vidno-scene/1', 'scene'],
-  ['vidno-surface/1', 'scene'],
-  ['vidno-failure/1', 'failure'],
-  ['vidno-chart/1', 'chart'],
-  ['vidno-trace/1', 'trace'],
+  ['vidno-scene', 'scene'],
+  ['vidno-surface', 'scene'],
+  ['vidno-failure', 'failure'],
+  ['vidno-chart', 'chart'],
+  ['vidno-trace', 'trace'],
 ]);
 
 /** Keys that identify the kind of a file without a format; `document_format` of the program has the same. */
@@ -35,7 +36,7 @@ function saidIn(start: string): FileKind | null {
       const told = telling.get(key);
       if (told !== undefined) return told;
     } else if (depth === 1 && key === 'format' && token.startsWith('"')) {
-      return kinds.get(token.slice(1, -1)) ?? null;
+      return kinds.get(token.slice(1, -1).split('/')[0] ?? '') ?? null;
     } else {
       if (token === ':') continue;
       if (token === '{' || token === '[') depth++;

@@ -97,6 +97,20 @@ export function oneOf<const T extends string | number | boolean>(
   });
 }
 
+const versioned = /^vidno-[a-z]+\/(\d+)$/;
+
+/** The format of a file. A file of another version gets advice; `other_format` of the program gives the same. */
+export function formatOf<const T extends string>(format: T): Check<T> {
+  const check = oneOf(format);
+  const version = (value: string): number => Number(versioned.exec(value)?.[1] ?? NaN);
+  return (value, path) => {
+    const [found, known] = [version(String(value)), version(format)];
+    if (found > known) throw new Refusal(path, 'newerFormat', format, describe(value));
+    if (found < known) throw new Refusal(path, 'olderFormat', format, describe(value));
+    return check(value, path);
+  };
+}
+
 const anyOf = (plain: readonly string[]): string => `(?:${plain.join('|')})`;
 
 /** An ASCII text that matches the pattern from `^` to `$`. */

@@ -1,6 +1,7 @@
 import {
   between,
   finite,
+  formatOf,
   list,
   matching,
   oneOf,
@@ -45,7 +46,7 @@ const area = record({
 });
 
 const sceneFile = record({
-  format: oneOf('vidno-scene/1'),
+  format: formatOf('vidno-scene/1'),
   name: optional(text),
   window: area,
   background: color,
@@ -54,14 +55,14 @@ const sceneFile = record({
 
 /** The samples of each curve, in place of polygons. */
 const surfaceFile = record({
-  format: oneOf('vidno-surface/1'),
+  format: formatOf('vidno-surface/1'),
   name: optional(text),
   window: area,
   curves: list(list(tuple(whole, coordinate))),
 });
 
 const header = record({
-  format: oneOf('vidno-trace/1'),
+  format: formatOf('vidno-trace/1'),
   method: oneOf(...methods),
   edition: anEdition,
   kernel: matching(kernelName, 'kernel'),

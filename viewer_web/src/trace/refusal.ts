@@ -14,6 +14,8 @@ export interface Reasons {
   kernel: [found: string];
   hash: [found: string];
   oneOf: [values: string, found: string];
+  newerFormat: [format: string, found: string];
+  olderFormat: [format: string, found: string];
   list: [found: string];
   listOf: [length: string, found: string];
   object: [found: string];

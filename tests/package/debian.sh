@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Installs the Debian packages in a bare Debian 12, and uses them as a reader of the README would. Needs root and a Debian mirror.
+# debian.sh FOLDER-OF-PACKAGES
+set -euo pipefail
+packages=$(cd "$1" && pwd)
+consumer=$(cd "$(dirname "${BASH_SOURCE[0]}")/../consumer" && pwd)
+root=$(mktemp -d)
+chmod 755 "$root"
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
+leave() {
+    umount "$root/proc" 2>/dev/null || true
+    rm -rf --one-file-system "$root"
+}
+trap leave EXIT
+
+echo "== A bare Debian 12"
+debootstrap --variant=minbase bookworm "$root" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >/dev/null
+mkdir "$root/packages"
+cp "$packages"/*.deb "$root/packages"
+cp -r "$consumer" "$root/consumer"
+mount -t proc proc "$root/proc"
+inside apt-get update -q >/dev/null
+cat >"$root/scene.json" <<'END'
+{"window": {"x": 0, "y": 0, "width": 16, "height": 16},
+ "polygons": [
+   {"id": "far",  "vertices": [[1, 1, 0.2], [13, 1, 0.2], [13, 13, 0.2], [1, 13, 0.2]]},
+   {"id": "near", "vertices": [[5, 4, 0.7], [15, 6, 0.7], [8, 15, 0.7]]}
+ ]
+}
+END
+
+say() { printf '\n$ %s\n' "$*"; }
+run() {
+    say "$@"
+    inside sh -euc "$*"
+}
+say "apt install ./vidno_*.deb"
+inside sh -euc 'apt-get install -y -q --no-install-recommends ./packages/vidno_*.deb' | tail -n 4
+run 'vidno --version'
+run 'vidno trace scene.json -o run.jsonl && tail -n 1 run.jsonl'
+run 'vidno check scene.json --kernel float'
+run 'vidno figure run.jsonl --step 100 --show picture,windows,listing -o figure.pdf && head -c 8 figure.pdf'
+run 'vidno figure run.jsonl --step 100 -o figure.svg && head -n 1 figure.svg | cut -c1-100'
+run 'vidno page run.jsonl scene.json -o lecture.html && ls -s --block-size=1k lecture.html'
+run 'vidno lesson check /usr/share/vidno/lessons/01-four-relations'
+run 'ls -s --block-size=1k /usr/share/man/man1/vidno.1.gz /usr/share/bash-completion/completions/vidno 2>&1 || true'
+say "vidno chart scene.json -o chart.svg"
+if inside vidno chart scene.json -o chart.svg; then exit 1; fi
+
+say "apt install ./libvidno-dev_*.deb cmake g++ ninja-build"
+inside sh -euc 'apt-get install -y -q --no-install-recommends ./packages/libvidno-dev_*.deb cmake g++ ninja-build' | tail -n 2
+version=$(inside vidno --version)
+run "cmake -S consumer -B built -G Ninja -DCMAKE_BUILD_TYPE=Release -DVIDNO_VERSION=${version#vidno } >/dev/null &&
+    cmake --build built >/dev/null && built/consumer" |
+    tee "$root/consumer.txt"
+# The picture is that of consumer/run.cmake.
+[[ $(grep -c '^tttt\.\.\.\.$' "$root/consumer.txt") == 2 ]]
+echo "== Both packages work"
