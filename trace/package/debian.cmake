@@ -27,12 +27,10 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Charts, questions for Moodle, the sandbox for a student's program. vidno says which of these is missing.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, nodejs (>= 18), bubblewrap, fonts-liberation")
 
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The procedures as C++20 headers, which find_package(vidno) finds. The kernels
-Exact and Filtered also need CGAL.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The procedures as C++20 headers, which find_package(vidno) finds.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libvidno-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libglm-dev")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "libcgal-dev")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libglm-dev, libcgal-dev")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 include(CPack)
