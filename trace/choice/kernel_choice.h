@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "choice/bilingual.h"
+#include "choice/language.h"
 #include "choice/edition.h"
 #include "vidno/kernels/bits.h"
 #include "vidno/kernels/depth_bits.h"
