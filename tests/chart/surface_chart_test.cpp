@@ -159,7 +159,7 @@ TEST_CASE("Chart of a surface: the figure has a series for each kernel, edition 
                                     "'samples'", "'height missed, pixels'"}) {
         CHECK_MESSAGE(script.find(title) != script.npos, title);
     }
-    const std::string russian = chart_script(charts, 2, 1, {}, surface_chart_in_russian);
+    const std::string russian = chart_script(charts, 2, 1, {}, Language::russian);
     CHECK(russian.find("'допуск, double, как напечатано'") != russian.npos);
 }
 

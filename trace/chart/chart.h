@@ -78,13 +78,12 @@ struct ChartWords {
     std::array<std::string_view, 4> errors;   // in the order of error_axes
     std::array<std::string_view, 10> series;  // the runs of the course's methods
     std::string_view of_family;               // stands before the name of a variant
-    std::string_view Bilingual::*language;
     std::string_view front, ordinary, degenerate, no_number;
 };
-extern const ChartWords chart_in_english, chart_in_russian;
+extern const InEachLanguage<ChartWords> chart_words;
 
 /// The gnuplot program that draws one panel per scene, ordinary ones first, as SVG. The axes are given by index.
 std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout = {}, const ChartWords& words = chart_in_english);
+                         const PlotLayout& layout = {}, Language language = Language::english);
 
 }  // namespace vidno

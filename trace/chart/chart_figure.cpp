@@ -7,31 +7,27 @@
 
 namespace vidno {
 
-const ChartWords chart_in_english{
-    .costs = {"time, times that of the fastest", "operations", "operations times bits"},
-    .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
-    .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
-               "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
-               "Z-buffer", "Z-buffer, printed"},
-    .of_family = "Warnock, ",
-    .language = &Bilingual::english,
-    .front = "nothing is cheaper and as right",
-    .ordinary = "ordinary",
-    .degenerate = "degenerate",
-    .no_number = "no number"};
-
-const ChartWords chart_in_russian{
-    .costs = {"время относительно самого быстрого прогона", "операции", "операции × биты"},
-    .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
-    .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
-               "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
-               "Z-буфер", "Z-буфер, как напечатано"},
-    .of_family = "Варнок, ",
-    .language = &Bilingual::russian,
-    .front = "дешевле и не хуже ничего нет",
-    .ordinary = "обычная",
-    .degenerate = "вырожденная",
-    .no_number = "не число"};
+const InEachLanguage<ChartWords> chart_words{
+    {.costs = {"time, times that of the fastest", "operations", "operations times bits"},
+     .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
+     .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
+                "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
+                "Z-buffer", "Z-buffer, printed"},
+     .of_family = "Warnock, ",
+     .front = "nothing is cheaper and as right",
+     .ordinary = "ordinary",
+     .degenerate = "degenerate",
+     .no_number = "no number"},
+    {.costs = {"время относительно самого быстрого прогона", "операции", "операции × биты"},
+     .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
+     .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
+                "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
+                "Z-буфер", "Z-буфер, как напечатано"},
+     .of_family = "Варнок, ",
+     .front = "дешевле и не хуже ничего нет",
+     .ordinary = "обычная",
+     .degenerate = "вырожденная",
+     .no_number = "не число"}};
 
 namespace {
 
@@ -74,10 +70,11 @@ std::vector<Series> all_series() {
     return series;
 }
 
-std::string name_of(const Series& series, const ChartWords& words) {
+std::string name_of(const Series& series, Language language) {
+    const ChartWords& words = chart_words.in(language);
     const auto of_course = std::find(course_series.begin(), course_series.end(), series);
     if (of_course != course_series.end()) return std::string(words.series[of_course - course_series.begin()]);
-    const std::string title(choice_of(series.method).title.*words.language);
+    const std::string title(choice_of(series.method).title.in(language));
     return is_family(series.method) ? std::string(words.of_family) + title : title;
 }
 
@@ -113,7 +110,8 @@ Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const
     return plot;
 }
 
-PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& words) {
+PlotWords plot_words(std::size_t cost, std::size_t error, Language language) {
+    const ChartWords& words = chart_words.in(language);
     PlotWords of_plot{.cost = words.costs[cost],
                       .error = words.errors[error],
                       .front = words.front,
@@ -121,7 +119,7 @@ PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& word
                       .series = {},
                       .plain_costs = cost_axes[cost].name == "time"};
     for (const auto& series : all_series()) {
-        of_plot.series.push_back({name_of(series, words), series.color, series.point, series.knob.has_value()});
+        of_plot.series.push_back({name_of(series, language), series.color, series.point, series.knob.has_value()});
     }
     return of_plot;
 }
@@ -129,12 +127,12 @@ PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& word
 }  // namespace
 
 std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout, const ChartWords& words) {
+                         const PlotLayout& layout, Language language) {
     auto ordered = scenes;
     std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
     std::vector<Plot> plots;
-    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, words));
-    return plot_script(plots, plot_words(cost, error, words), layout);
+    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, chart_words.in(language)));
+    return plot_script(plots, plot_words(cost, error, language), layout);
 }
 
 }  // namespace vidno

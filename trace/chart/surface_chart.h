@@ -88,10 +88,10 @@ struct SurfaceChartWords {
     std::array<std::string_view, 2> knobs;
     std::string_view as_given, printed, front;
 };
-extern const SurfaceChartWords surface_chart_in_english, surface_chart_in_russian;
+extern const InEachLanguage<SurfaceChartWords> surface_chart_words;
 
 /// The gnuplot program that draws one panel per surface, as SVG. The axes are given by index.
 std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout = {}, const SurfaceChartWords& words = surface_chart_in_english);
+                         const PlotLayout& layout = {}, Language language = Language::english);
 
 }  // namespace vidno

@@ -4,21 +4,19 @@
 
 namespace vidno {
 
-const SurfaceChartWords surface_chart_in_english{
-    .costs = {"time, times that of the fastest", "operations", "samples"},
-    .errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
-    .knobs = {"samples", "tolerance"},
-    .as_given = "as given",
-    .printed = "printed",
-    .front = "nothing is cheaper and as right"};
-
-const SurfaceChartWords surface_chart_in_russian{
-    .costs = {"время относительно самого быстрого прогона", "операции", "отсчёты"},
-    .errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
-    .knobs = {"отсчёты", "допуск"},
-    .as_given = "как задано",
-    .printed = "как напечатано",
-    .front = "дешевле и не хуже ничего нет"};
+const InEachLanguage<SurfaceChartWords> surface_chart_words{
+    {.costs = {"time, times that of the fastest", "operations", "samples"},
+     .errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
+     .knobs = {"samples", "tolerance"},
+     .as_given = "as given",
+     .printed = "printed",
+     .front = "nothing is cheaper and as right"},
+    {.costs = {"время относительно самого быстрого прогона", "операции", "отсчёты"},
+     .errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
+     .knobs = {"отсчёты", "допуск"},
+     .as_given = "как задано",
+     .printed = "как напечатано",
+     .front = "дешевле и не хуже ничего нет"}};
 
 namespace {
 
@@ -98,7 +96,8 @@ Plot plot_of(const SurfaceChart& surface, std::size_t cost, std::size_t error) {
 }  // namespace
 
 std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout, const SurfaceChartWords& words) {
+                         const PlotLayout& layout, Language language) {
+    const SurfaceChartWords& words = surface_chart_words.in(language);
     PlotWords of_plot{.cost = words.costs[cost],
                       .error = words.errors[error],
                       .front = words.front,

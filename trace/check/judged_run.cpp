@@ -77,8 +77,12 @@ Picture exactly_judged_run(const RunRequest& request, const Followers& followers
 
 Picture judged_run(const RunRequest& request, const Followers& followers) {
     if (!request.kernel.is_always_right()) return told_run(request, followers);
-    return request.method == Method::weiler_atherton ? compared_weiler_atherton(request, followers)
-                                                     : compared_run(request, followers);
+    switch (algorithm_of(request.method)) {
+        case Algorithm::warnock:
+        case Algorithm::z_buffer: return compared_run(request, followers);
+        case Algorithm::weiler_atherton: return compared_weiler_atherton(request, followers);
+    }
+    std::abort();
 }
 
 }  // namespace vidno

@@ -26,10 +26,7 @@ Json editions_of(auto&& runs) {
     return editions;
 }
 
-Json json_of(const Bilingual& text) {
-    const auto& [english, russian] = text;
-    return {{"en", english}, {"ru", russian}};
-}
+Json json_of(const Bilingual& text) { return object_of<Json>(text); }
 
 Json method_json(const MethodChoice& choice, std::string_view reference, const Json& editions) {
     return {{"does", choice.does},          {"title", json_of(choice.title)},

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "choice/bilingual.h"
+#include "choice/language.h"
 #include "vidno/line.h"
 #include "vidno/method.h"
 

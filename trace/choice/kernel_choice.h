@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "choice/bilingual.h"
+#include "choice/algorithm.h"
 #include "choice/edition.h"
+#include "choice/language.h"
 #include "vidno/kernels/bits.h"
 #include "vidno/kernels/depth_bits.h"
 #include "vidno/kernels/grid.h"
@@ -50,8 +51,12 @@ struct KernelChoice {
 
 private:
     constexpr bool runs(Method method) const {
-        if (method == Method::weiler_atherton) return constructs_points;
-        return is_family(method) ? runs_family : runs_warnock || method != Method::warnock;
+        switch (algorithm_of(method)) {
+            case Algorithm::warnock: return is_family(method) ? runs_family : runs_warnock;
+            case Algorithm::z_buffer: return true;
+            case Algorithm::weiler_atherton: return constructs_points;
+        }
+        std::abort();
     }
     constexpr bool runs_text(Edition edition) const {
         return edition == Edition::corrected || (is_mistake(edition) ? runs_mistakes : runs_printed);

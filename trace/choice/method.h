@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "choice/bilingual.h"
+#include "choice/language.h"
 #include "vidno/method.h"
 #include "vidno/scene.h"
 #include "vidno/trace.h"

@@ -26,7 +26,7 @@ struct GradeOptions {
     int seconds = 10;
     int random = 8;
     unsigned seed = 1;
-    std::string detail{detail_names[0]}, language{figures::language_codes[0]};
+    std::string detail{detail_names[0]}, language{language_codes[0]};
     bool no_sandbox = false, first = false;
 };
 
@@ -86,7 +86,7 @@ std::vector<AdmittedScene> scenes_of(const GradeOptions& options, const Words& s
 
 Grading grading_of(const GradeOptions& options) {
     Grading grading;
-    grading.say = Words(Language(place_in(figures::language_codes, options.language)));
+    grading.say = Words(Language(place_in(language_codes, options.language)));
     grading.limits.time = std::chrono::seconds(options.seconds);
     grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
     grading.first_only = options.first;
@@ -250,7 +250,7 @@ void add_grade(CLI::App& program, int& status) {
     command.add_flag("--no-sandbox", options->no_sandbox,
                      "Run the program with access to your files and to the network");
     command.add_option("--language", options->language, "The language of the report")
-        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("-o", options->output,
                        "A page, .html, with the wrong run on the smallest scene beside the right one; of a folder a "

@@ -18,8 +18,12 @@ struct RenderOptions : RunOptions {
 };
 
 std::string paced_by(Method method) {
-    if (method == Method::weiler_atherton) return "lists";
-    return is_warnock(method) ? "windows" : "polygons";
+    switch (algorithm_of(method)) {
+        case Algorithm::warnock: return "windows";
+        case Algorithm::z_buffer: return "polygons";
+        case Algorithm::weiler_atherton: return "lists";
+    }
+    std::abort();
 }
 
 /// Visible regions are polygons: JSON, or a drawing.

@@ -23,8 +23,6 @@ struct WorksheetOptions {
     std::optional<int> count;                // of questions
 };
 
-using figures::Language;
-
 void expect_pdf(const std::string& name) {
     if (!name.ends_with(".pdf")) throw Refused(name + ": not .pdf or .xml");
 }
@@ -80,7 +78,7 @@ int worksheet(const WorksheetOptions& options) {
     if (options.key) expect_pdf(*options.key);
     if (options.key == options.output) throw Refused("--key " + *options.key + ": that is the blank sheets' file");
     if (options.count) throw Refused("--count: " + options.output + " has sheets, no questions");
-    const auto language = Language(place_in(figures::language_codes, options.language));
+    const auto language = Language(place_in(language_codes, options.language));
     const auto method = Method(place_in(method_names, options.method.value_or("warnock")));
     Sheets blank(false, language), key(true, language);
     Progress progress("scenes");
@@ -107,7 +105,7 @@ void add_worksheet(CLI::App& program, int& status) {
     command.add_option("SCENE|TRACE", options->files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
         ->required();
     command.add_option("--language", options->language, "The language of its words")
-        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("--method", options->method, "For .pdf: which algorithm is worked [warnock]")
         ->check(CLI::IsMember(words(course_method_names)));

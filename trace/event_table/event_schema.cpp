@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "choice/kernel_choice.h"
+#include "choice/language.h"
 #include "choice/method.h"
 #include "event_table/event_table.h"
 
@@ -159,6 +160,8 @@ std::string with_failure_schema(const std::string& schema) {
     parts["run_of_curves"]["properties"]["edition"]["pattern"] = edition_pattern(edition_of_curves);
     parts["shows_of_polygons"]["properties"]["wrong"]["enum"] = procedure_names;
     parts["line"]["pattern"] = label_pattern();
+    parts["words"]["required"] = language_codes;
+    parts["words"]["properties"] = object_of<Json>(in_each_language([](Language) { return Json{{"type", "string"}}; }));
     return written(document, 0) + "\n";
 }
 

@@ -3,22 +3,10 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
 
-#include "choice/bilingual.h"
+#include "choice/language.h"
 
 namespace vidno::figures {
-
-enum class Language : unsigned char { english, russian };
-inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
-
-constexpr std::string_view code_of(Language language) { return language_codes[std::size_t(language)]; }
-
-/// The text in the language.
-constexpr std::string_view in(Language language, const Bilingual& text) {
-    const auto& [english, russian] = text;
-    return std::array{english, russian}[std::size_t(language)];
-}
 
 struct FigureWords {
     std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
@@ -29,7 +17,7 @@ struct FigureWords {
     std::string_view computed, right, wrong;
 };
 
-inline constexpr auto figure_words = std::to_array<FigureWords>({
+inline constexpr InEachLanguage<FigureWords> figure_words{
     {
         .step = "step",
         .stack = "on the stack",
@@ -88,13 +76,12 @@ inline constexpr auto figure_words = std::to_array<FigureWords>({
         .right = "верно",
         .wrong = "неверно",
     },
-});
-static_assert(figure_words.size() == language_codes.size());
+};
 
-constexpr const FigureWords& words_of(Language language) { return figure_words[std::size_t(language)]; }
+constexpr const FigureWords& words_of(Language language) { return figure_words.in(language); }
 
-/// The answers of a map in Russian, by their names, which are the English ones.
-inline constexpr auto answers_in_russian = std::to_array<std::pair<std::string_view, std::string_view>>({
+/// The answers of a map. The English ones are their names.
+inline constexpr auto map_answers = std::to_array<Bilingual>({
     {"negative", "отрицательно"},
     {"zero", "нуль"},
     {"positive", "положительно"},
@@ -104,11 +91,11 @@ inline constexpr auto answers_in_russian = std::to_array<std::pair<std::string_v
     {"not nearer", "не ближе"},
 });
 
-constexpr std::string_view answer_in(Language language, std::string_view answer) {
-    for (const auto& [english, russian] : answers_in_russian) {
-        if (language == Language::russian && english == answer) return russian;
+constexpr std::string_view answer_in(Language language, std::string_view name) {
+    for (const auto& answer : map_answers) {
+        if (answer.english == name) return answer.in(language);
     }
-    return answer;
+    return name;
 }
 
 }  // namespace vidno::figures

@@ -67,7 +67,7 @@ std::string text_in(const json& line, Edition edition, Language language) {
         const DeviationChoice& mistake = choice_of(*single_deviation(edition));
         for (std::size_t i = 0; i < mistake.lines.size(); ++i) {
             if (line.at("at") != line_names[std::size_t(mistake.lines[i])]) continue;
-            return std::string(in(language, mistake.reads[i]));
+            return std::string(mistake.reads[i].in(language));
         }
     }
     return (is_as_printed(line, edition) ? line.at("printed") : line).at(code_of(language));

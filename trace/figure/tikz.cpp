@@ -129,9 +129,7 @@ std::string environment(const Drawing& drawing) {
 /// These lines make the figure a complete document, unless another document inputs it.
 std::string document(std::string_view classes, const About& about, const std::string& body) {
     // Debian's cm-super has the outlines of T2A.
-    const std::string encoding = about.language == Language::russian
-                                     ? "\\usepackage[T2A]{fontenc}\n"
-                                     : "\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n";
+    constexpr Bilingual encodings{"\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n", "\\usepackage[T2A]{fontenc}\n"};
     std::string title = about.title;
     std::replace(title.begin(), title.end(), '\n', ' ');
     return "% " + title +
@@ -142,7 +140,7 @@ std::string document(std::string_view classes, const About& about, const std::st
            "\\let\\vidnoend\\relax\n"
            "\\else\n"
            "\\def\\vidnoend{\\end{document}}\n" +
-           std::string(classes) + "\\usepackage{cmap}\n" + encoding +
+           std::string(classes) + "\\usepackage{cmap}\n" + std::string(encodings.in(about.language)) +
            "\\usepackage[utf8]{inputenc}\n\\usepackage{tikz}\n"
            "\\begin{document}\n"
            "\\fi\n" +

@@ -65,7 +65,7 @@ private:
         pages_.push_back({page_width, page_height});
         const double right = page_width - margin;
         double y = margin;
-        const std::string method(in(style_.language, choice_of(run_.header().method).title));
+        const std::string method(choice_of(run_.header().method).title.in(style_.language));
         const double room = text_width - width_of(method, text_size) - gap;
         put(fitted(scene().name, room, title_size, true), {margin, y}, title_size, Anchor::start, true);
         put(method, {right, y}, text_size, Anchor::end);

@@ -20,7 +20,7 @@ struct WorksheetWords {
     std::array<std::string_view, case_names.size()> cases;
 };
 
-inline constexpr auto worksheet_words = std::to_array<WorksheetWords>({
+inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
     {
         .name = "Name",
         .date = "Date",
@@ -82,9 +82,8 @@ inline constexpr auto worksheet_words = std::to_array<WorksheetWords>({
         .rows_here = "Прогон продолжается; строк в таблице:",
         .cases = {"пустое", "охвачено", "пиксель", "один", "делится"},
     },
-});
-static_assert(worksheet_words.size() == language_codes.size());
+};
 
-constexpr const WorksheetWords& worksheet_words_of(Language language) { return worksheet_words[std::size_t(language)]; }
+constexpr const WorksheetWords& worksheet_words_of(Language language) { return worksheet_words.in(language); }
 
 }  // namespace vidno::figures

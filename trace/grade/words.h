@@ -7,21 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "choice/bilingual.h"
-#include "figure/figure_words.h"
+#include "choice/language.h"
 #include "grade/scene_truth.h"
 #include "vidno/picture.h"
 
 namespace vidno {
 
-using figures::Language;
-
 class Words {
 public:
     explicit Words(Language language = Language::english) : language_(language) {}
 
-    bool is_russian() const { return language_ == Language::russian; }
-    std::string_view of(const Bilingual& text) const { return figures::in(language_, text); }
+    std::string_view of(const Bilingual& text) const { return text.in(language_); }
 
     std::string operator()(const Bilingual& text, const auto&... arguments) const {
         return filled(of(text), {said(arguments)...});
@@ -35,7 +31,7 @@ public:
     std::string said(std::size_t number) const { return std::to_string(number); }
     std::string said(double number) const {
         std::string text = in_words(number);
-        if (is_russian()) std::replace(text.begin(), text.end(), '.', ',');
+        std::replace(text.begin(), text.end(), '.', of({".", ","}).front());
         return text;
     }
     std::string said(const Color& color) const { return in_words(color); }
@@ -48,14 +44,14 @@ public:
     /// "(1, 2)", in Russian "(1; 2)"; three numbers for a vertex.
     std::string point(const auto&... coordinates) const {
         std::string text;
-        ((text += (text.empty() ? "" : separator()) + said(coordinates)), ...);
+        (text.append(text.empty() ? "" : separator()).append(said(coordinates)), ...);
         return "(" + text + ")";
     }
 
 private:
-    const char* separator() const { return is_russian() ? "; " : ", "; }
+    std::string_view separator() const { return of({", ", "; "}); }
     std::string rectangle(const std::string& place, const std::string& width, const std::string& height) const {
-        return place + (is_russian() ? " размером " : " of ") + width + (is_russian() ? " × " : " x ") + height;
+        return (*this)({"{} of {} x {}", "{} размером {} × {}"}, place, width, height);
     }
 
     static std::string filled(std::string_view text, const std::vector<std::string>& arguments) {

@@ -123,6 +123,11 @@ void JsonNode::refuse(std::string_view reason) const { throw Misread({pointer(),
 
 void JsonNode::require_keys(std::initializer_list<std::string_view> required,
                             std::initializer_list<std::string_view> optional) const {
+    require_keys(std::span(required.begin(), required.size()), std::span(optional.begin(), optional.size()));
+}
+
+void JsonNode::require_keys(std::span<const std::string_view> required,
+                            std::span<const std::string_view> optional) const {
     object();
     const auto is_in = [](const auto& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ public:
     /// Requires an object with all required keys, and no others except the optional ones. Reports each key at fault.
     void require_keys(std::initializer_list<std::string_view> required,
                       std::initializer_list<std::string_view> optional = {}) const;
+    void require_keys(std::span<const std::string_view> required,
+                      std::span<const std::string_view> optional = {}) const;
 
     /// Requires that an object's member "format", if present, is this one. With another format nothing else is checked.
     void expect_format(std::string_view format) const;

@@ -62,16 +62,18 @@ bool is_used(const Pin& pin, const Story& story) {
 }  // namespace
 
 void check_lesson(const Lesson& lesson, Problems& problems) {
-    if (!lesson.english.file.empty() && !lesson.russian.file.empty()) {
-        compare_structure(lesson.english, lesson.russian, problems);
-    }
-    for (const Story* story : {&lesson.english, &lesson.russian}) {
-        if (!lesson.runs.empty()) check_pins(lesson, *story, problems);  // otherwise lesson.json could not be read
-        check_lessons(lesson, *story, problems);
-        check_written(*story, problems);
+    const Story& english = lesson.stories.english;
+    for (const Language language : languages) {
+        const Story& story = lesson.stories.in(language);
+        if (language != Language::english && !english.file.empty() && !story.file.empty()) {
+            compare_structure(english, story, problems);
+        }
+        if (!lesson.runs.empty()) check_pins(lesson, story, problems);  // otherwise lesson.json could not be read
+        check_lessons(lesson, story, problems);
+        check_written(story, problems);
     }
     for (const Pin& pin : lesson.pins) {
-        if (is_used(pin, lesson.english)) continue;
+        if (is_used(pin, english)) continue;
         problems.push_back({lesson.file("lesson.json"), pin.line, "pin " + pin.name + ": no story leads to it"});
     }
 }

@@ -1,4 +1,4 @@
-/// Lesson: a folder with scenes, runs of them, and a story in two languages whose links are steps of the runs.
+/// Lesson: a folder with scenes, runs of them, and a story in each language whose links are steps of the runs.
 ///
 /// lessons/WRITING.md explains how to write one.
 #pragma once
@@ -21,9 +21,8 @@ namespace vidno {
 
 struct LessonRun {
     std::string name;
-    /// What it shows, in both languages; may be empty.
-    std::string english_title{}, russian_title{};
-    std::string scene = "scene.json";  // a file of the lesson's folder, or a mesh
+    InEachLanguage<std::string> title{};  // what it shows; may be empty
+    std::string scene = "scene.json";     // a file of the lesson's folder, or a mesh
     std::string method;
     std::string kernel = "double";
     Edition edition = Edition::corrected;
@@ -53,12 +52,15 @@ struct Lesson {
     std::vector<LessonRun> runs;
     std::vector<Pin> pins;
     std::vector<std::string> shows{};  // parts of the state, among `state_parts`
-    Story english, russian;
+    InEachLanguage<Story> stories;
 
     std::string file(const std::string& name) const { return folder + '/' + name; }
     /// The run with this name, which must exist.
     const LessonRun& run(const std::string& name) const;
 };
+
+/// The name of the file of its story.
+inline std::string story_file(Language language) { return "story." + std::string(code_of(language)) + ".md"; }
 
 /// Reads the files of a lesson, and adds their errors to the problems. Throws Refused if the folder is not a lesson.
 Lesson read_lesson(const std::string& folder, Problems& problems);
@@ -84,6 +86,6 @@ Steps run_lesson(const Lesson& lesson, Problems& problems,
 using Figures = std::map<std::string, std::string>;
 
 /// The lesson in the form that its page reads, on one line.
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures& in_english, const Figures& in_russian);
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures);
 
 }  // namespace vidno

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 /// With more windows, or more columns of curves, there would be too many signs to follow.
 constexpr std::uint64_t most_with_signs = 1000;
 
-constexpr std::string_view english = R"(# TODO: the title
+constexpr Bilingual story_of_polygons{R"(# TODO: the title
 
 TODO: what there is to see, in two or three sentences.
 
@@ -28,9 +28,8 @@ It looks at [COUNT windows](#windows). TODO: explain this number.
 ## Row by row
 
 The Z-buffer begins with [the first row of the first polygon](#row). TODO: what there is to see.
-)";
-
-constexpr std::string_view russian = R"(# TODO: название
+)",
+                                      R"(# TODO: название
 
 TODO: что здесь можно увидеть, в двух-трёх предложениях.
 
@@ -43,9 +42,9 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 ## Строка за строкой
 
 Z-буфер начинает с [первой строки первого многоугольника](#row). TODO: что здесь видно.
-)";
+)"};
 
-constexpr std::string_view english_of_curves = R"(# TODO: the title
+constexpr Bilingual story_of_curves{R"(# TODO: the title
 
 TODO: what there is to see, in two or three sentences.
 
@@ -54,9 +53,8 @@ TODO: what there is to see, in two or three sentences.
 The floating horizon takes [COUNT curves](#curves), the nearest first. TODO: of what surface.
 
 The first one [is visible everywhere](#first). TODO: what becomes of the others.
-)";
-
-constexpr std::string_view russian_of_curves = R"(# TODO: название
+)",
+                                    R"(# TODO: название
 
 TODO: что здесь можно увидеть, в двух-трёх предложениях.
 
@@ -65,9 +63,9 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 Плавающий горизонт берёт [кривых: COUNT](#curves), начиная с ближайшей. TODO: какой поверхности.
 
 Первая [видна вся](#first). TODO: что будет с остальными.
-)";
+)"};
 
-constexpr std::string_view questions_in_english = R"(
+constexpr Bilingual questions{R"(
 ## Questions
 
 1. TODO: a question to think about.
@@ -77,9 +75,8 @@ constexpr std::string_view questions_in_english = R"(
 2. TODO: another one.
 
    > TODO: its answer.
-)";
-
-constexpr std::string_view questions_in_russian = R"(
+)",
+                              R"(
 ## Вопросы
 
 1. TODO: вопрос для размышления.
@@ -89,7 +86,7 @@ constexpr std::string_view questions_in_russian = R"(
 2. TODO: ещё один.
 
    > TODO: ответ на него.
-)";
+)"};
 
 std::string with_count(std::string_view story, std::uint64_t count) {
     constexpr std::string_view place = "COUNT";
@@ -163,13 +160,15 @@ std::uint64_t count_of(std::string_view beginning, const AnyScene& scene, const 
 
 using Files = std::map<std::string, std::string>;
 
-Files files_of(const std::vector<std::string>& runs, const std::vector<std::string>& pins, std::string_view in_english,
-               std::string_view in_russian, std::uint64_t count) {
+Files files_of(const std::vector<std::string>& runs, const std::vector<std::string>& pins, const Bilingual& story,
+               std::uint64_t count) {
     const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
                                lines_of(pins) + "}}\n";
-    return {{"lesson.json", lesson},
-            {"story.en.md", with_count(in_english, count).append(questions_in_english)},
-            {"story.ru.md", with_count(in_russian, count).append(questions_in_russian)}};
+    Files files{{"lesson.json", lesson}};
+    for (const Language language : languages) {
+        files[story_file(language)] = with_count(story.in(language), count).append(questions.in(language));
+    }
+    return files;
 }
 
 Files lesson_on(const AdmittedScene& scene) {
@@ -187,7 +186,7 @@ Files lesson_on(const AdmittedScene& scene) {
     const std::vector<std::string> pins{pin_json("start", {{"find", {pop}}}),
                                         pin_json("windows", {{"find", {pop}}, {"times", count}}),
                                         pin_json("row", {{"run", rows.name}, {"find", {scanline}}})};
-    return files_of(runs, pins, english, russian, count);
+    return files_of(runs, pins, story_of_polygons, count);
 }
 
 Files lesson_on(const Surface& surface) {
@@ -199,7 +198,7 @@ Files lesson_on(const Surface& surface) {
     const Json curve{{"e", "curve"}}, line{{"e", "draw_line"}};
     const std::vector<std::string> pins{pin_json("curves", {{"find", {curve}}, {"times", count}}),
                                         pin_json("first", {{"find", {line}}})};
-    return files_of({run_json(lines)}, pins, english_of_curves, russian_of_curves, count);
+    return files_of({run_json(lines)}, pins, story_of_curves, count);
 }
 
 }  // namespace

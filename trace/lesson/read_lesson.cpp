@@ -4,6 +4,7 @@
 
 #include "choice/method.h"
 #include "choice/read_edition.h"
+#include "choice/read_texts.h"
 #include "json/json_node.h"
 #include "lesson.h"
 #include "output.h"
@@ -96,12 +97,7 @@ private:
         LessonRun run;
         run.name = node.at("name").text();
         if (has_run(run.name)) node.at("name").refuse(run.name + ": another run has this name");
-        if (node.has("title")) {
-            const JsonNode title = node.at("title");
-            title.require_keys({"en", "ru"});
-            run.english_title = title.at("en").text();
-            run.russian_title = title.at("ru").text();
-        }
+        if (node.has("title")) run.title = read_texts(node.at("title"));
         if (node.has("scene")) run.scene = node.at("scene").text();
         const auto methods = lesson_methods();
         run.method = methods[choice(node, "method", methods)];
@@ -147,8 +143,8 @@ private:
     std::string file_, text_;
 };
 
-Story story_in(const Lesson& lesson, const std::string& language, Problems& problems) {
-    const std::string file = lesson.file("story." + language + ".md");
+Story story_in(const Lesson& lesson, Language language, Problems& problems) {
+    const std::string file = lesson.file(story_file(language));
     if (std::filesystem::exists(file)) return read_story(read_file(file), file, problems);
     problems.push_back({file, 1, "is not there"});
     return {};
@@ -163,8 +159,7 @@ Lesson read_lesson(const std::string& folder, Problems& problems) {
     lesson.place = without_slash(std::filesystem::absolute(folder).lexically_normal());
     lesson.id = lesson.place.filename().string();
     LessonReader(lesson, problems).read();
-    lesson.english = story_in(lesson, "en", problems);
-    lesson.russian = story_in(lesson, "ru", problems);
+    lesson.stories = in_each_language([&](Language language) { return story_in(lesson, language, problems); });
     return lesson;
 }
 

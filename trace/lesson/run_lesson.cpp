@@ -98,8 +98,7 @@ Steps run_lesson(const Lesson& lesson, Problems& problems,
     return steps;
 }
 
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures& in_english,
-                        const Figures& in_russian) {
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures) {
     using Json = nlohmann::ordered_json;
     Json traces = Json::object();
     for (const auto& run : lesson.runs) traces[run.name] = run.trace_file(lesson.id);
@@ -109,14 +108,15 @@ std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures&
             pins[pin.name] = {{"run", pin.run}, {"step", step->second}};
         }
     }
-    const auto told = [](const Story& story, const Figures& figures) {
-        return Json{{"title", story.title}, {"blocks", story.blocks}, {"figures", figures}};
-    };
+    const auto stories = in_each_language([&](Language language) {
+        const Story& story = lesson.stories.in(language);
+        return Json{{"title", story.title}, {"blocks", story.blocks}, {"figures", figures.in(language)}};
+    });
     Json whole{{"format", "vidno-lesson/1"},
                {"id", lesson.id},
                {"traces", traces},
                {"pins", pins},
-               {"story", {{"en", told(lesson.english, in_english)}, {"ru", told(lesson.russian, in_russian)}}}};
+               {"story", object_of<Json>(stories)}};
     if (!lesson.shows.empty()) whole["shows"] = lesson.shows;
     return whole.dump();
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "choice/language.h"
 #include "output.h"
 
 namespace vidno {
@@ -103,14 +104,15 @@ std::string file_address(const std::filesystem::path& path) {
 void PageContent::add(const PageFile& file) {
     // The number distinguishes files with the same name in different folders.
     const std::string name = std::to_string(files.size() + 1) + (file.is_scene ? ".json" : ".jsonl.gz");
-    index.push_back({{"id", name},
-                     {"title", {{"en", file.title}, {"ru", file.title}}},
-                     {"traces",
-                      {{{"file", name},
-                        {"method", file.method},
-                        {"kernel", file.kernel},
-                        {"edition", file.edition},
-                        {"detail", file.detail}}}}});
+    index.push_back(
+        {{"id", name},
+         {"title", object_of<nlohmann::ordered_json>(in_each_language([&](Language) { return file.title; }))},
+         {"traces",
+          {{{"file", name},
+            {"method", file.method},
+            {"kernel", file.kernel},
+            {"edition", file.edition},
+            {"detail", file.detail}}}}});
     files.emplace_back(name, file.bytes);
     has_scene = has_scene || file.is_scene;
 }

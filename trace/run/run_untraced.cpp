@@ -37,8 +37,12 @@ constexpr auto runs = runs_of(std::make_index_sequence<kernel_choices.size()>())
 
 Picture untraced_run(const RunRequest& request) {
     const Runs& kernel = runs[std::size_t(request.kernel.kind())];
-    if (request.method == Method::weiler_atherton) return kernel.weiler_atherton(request);
-    return is_family(request.method) ? kernel.family(request) : kernel.course(request);
+    switch (algorithm_of(request.method)) {
+        case Algorithm::warnock: return is_family(request.method) ? kernel.family(request) : kernel.course(request);
+        case Algorithm::z_buffer: return kernel.course(request);
+        case Algorithm::weiler_atherton: return kernel.weiler_atherton(request);
+    }
+    std::abort();
 }
 
 DrawnLines untraced_run(const FloatingHorizonRequest& request) {

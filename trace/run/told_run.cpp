@@ -2,9 +2,10 @@
 
 namespace vidno {
 
-Picture told_run(const RunRequest& request, const Followers& followers) {
-    assert(request.sink);
-    if (request.method == Method::weiler_atherton) return told_weiler_atherton(request, followers);
+namespace {
+
+/// Warnock's algorithm, its variants and the Z-buffer.
+Picture told_set(const RunRequest& request, const Followers& followers) {
     switch (request.kernel.kind()) {
         case KernelKind::filtered: return told_filtered(request, followers.count);
         case KernelKind::grid: return told_grid(request);
@@ -13,6 +14,18 @@ Picture told_run(const RunRequest& request, const Followers& followers) {
             [[fallthrough]];
         default: return told_run_time(request, followers);
     }
+}
+
+}  // namespace
+
+Picture told_run(const RunRequest& request, const Followers& followers) {
+    assert(request.sink);
+    switch (algorithm_of(request.method)) {
+        case Algorithm::warnock:
+        case Algorithm::z_buffer: return told_set(request, followers);
+        case Algorithm::weiler_atherton: return told_weiler_atherton(request, followers);
+    }
+    std::abort();
 }
 
 }  // namespace vidno

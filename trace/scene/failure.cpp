@@ -5,6 +5,7 @@
 
 #include "choice/method.h"
 #include "choice/read_edition.h"
+#include "choice/read_texts.h"
 #include "json/document_format.h"
 #include "json/json_node.h"
 #include "scene/scene_json.h"
@@ -15,11 +16,6 @@ namespace vidno {
 namespace {
 
 constexpr std::string_view failure_format = "vidno-failure/1";
-
-Failure::Words read_words(const JsonNode& node) {
-    node.require_keys({"en", "ru"});
-    return {node.at("en").text(), node.at("ru").text()};
-}
 
 std::size_t read_name(const JsonNode& node, const auto& names, std::string_view of) {
     const auto found = std::find(names.begin(), names.end(), node.text());
@@ -101,9 +97,9 @@ public:
             }
         });
         Failure failure;
-        read_member(root, "title", [&](const JsonNode& node) { failure.title = read_words(node); });
-        read_member(root, "why", [&](const JsonNode& node) { failure.why = read_words(node); });
-        read_member(root, "remedy", [&](const JsonNode& node) { failure.remedy = read_words(node); });
+        read_member(root, "title", [&](const JsonNode& node) { failure.title = read_texts(node); });
+        read_member(root, "why", [&](const JsonNode& node) { failure.why = read_texts(node); });
+        read_member(root, "remedy", [&](const JsonNode& node) { failure.remedy = read_texts(node); });
         read_member(root, "source", [&](const JsonNode& node) { failure.source = node.text(); });
         read_member(root, "test", [&](const JsonNode& node) { failure.test = node.text(); });
         if (has_scene) read_runs(root, failure);

@@ -34,9 +34,7 @@ struct Shows {
 };
 
 struct Failure {
-    struct Words {
-        std::string english, russian;
-    };
+    using Words = InEachLanguage<std::string>;
     Words title, why, remedy;
     std::string source;             // published; may be empty
     std::string test;               // the name of the test that shows it, if no scene can

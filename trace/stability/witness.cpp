@@ -51,20 +51,21 @@ std::string failure_of(const std::string& scene, const Family& family, const std
         return Json{{"method", method}, {"kernel", under}, {"edition", "corrected"}};
     };
     const std::string name = std::string(family.name);
-    const Json failure{
-        {"format", "vidno-failure/1"},
-        {"title",
-         {{"en", method + " under " + kernel + ": " + name}, {"ru", method + ", числа " + kernel + ": " + name}}},
-        {"why",
-         {{"en", "The smallest scene that was found in the family " + name + ": " + std::string(family.shows) + "."},
-          {"ru", "Наименьшая сцена, найденная в семействе " + name + "."}}},
-        {"remedy",
-         {{"en", "Decide by an error bound, and exactly where the bound cannot decide: kernel filtered."},
-          {"ru", "Решать по границе погрешности, а где её не хватает — точно: числа filtered."}}},
-        {"fails", run(kernel)},
-        {"holds", run("filtered")},
-        {"shows", {{shown, {place.first, place.second}}}},
-        {"scene", Json::parse(scene)}};
+    const InEachLanguage<std::string> title{method + " under " + kernel + ": " + name,
+                                            method + ", числа " + kernel + ": " + name};
+    const InEachLanguage<std::string> why{
+        "The smallest scene that was found in the family " + name + ": " + std::string(family.shows) + ".",
+        "Наименьшая сцена, найденная в семействе " + name + "."};
+    constexpr Bilingual remedy{"Decide by an error bound, and exactly where the bound cannot decide: kernel filtered.",
+                               "Решать по границе погрешности, а где её не хватает — точно: числа filtered."};
+    const Json failure{{"format", "vidno-failure/1"},
+                       {"title", object_of<Json>(title)},
+                       {"why", object_of<Json>(why)},
+                       {"remedy", object_of<Json>(remedy)},
+                       {"fails", run(kernel)},
+                       {"holds", run("filtered")},
+                       {"shows", {{shown, {place.first, place.second}}}},
+                       {"scene", Json::parse(scene)}};
     return failure.dump(1) + "\n";
 }
 

@@ -233,11 +233,13 @@ void make_map(Live& live) {
 void append_words(Text& out, std::string_view key, const Failure::Words& words) {
     out += '"';
     out += key;
-    out += "\":{\"en\":";
-    append_string(out, words.english);
-    out += ",\"ru\":";
-    append_string(out, words.russian);
-    out += "},";
+    out += "\":{";
+    for (const Language language : languages) {
+        append_string(out, code_of(language));
+        out += ':';
+        append_string(out, words.in(language));
+        out += language == languages.back() ? "}," : ",";
+    }
 }
 
 void append_run(Text& out, std::string_view key, const NamedRun& run) {

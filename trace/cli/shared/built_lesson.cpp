@@ -21,12 +21,13 @@ FigureOptions options_of(const std::string& command, const Lesson& lesson) {
     return options;
 }
 
-Figures figures_of(const Lesson& lesson, const Story& story, const std::string& language, Problems& problems) {
+Figures figures_of(const Lesson& lesson, Language language, Problems& problems) {
     Figures figures;
+    const Story& story = lesson.stories.in(language);
     for (const auto& [line, command, file] : story.figures) {
         try {
             FigureOptions options = options_of(command, lesson);
-            options.language = language;
+            options.language = code_of(language);
             figures[file] = drawn_figure(options);
         } catch (const Refused& refused) {
             problems.push_back({story.file, line, refused.what()});
@@ -37,9 +38,9 @@ Figures figures_of(const Lesson& lesson, const Story& story, const std::string& 
 
 /// The title of a run: the lesson's, or the name of its scene; never the name of a file.
 Json title_of(const Lesson& lesson, const LessonRun& run) {
-    if (!run.english_title.empty()) return {{"en", run.english_title}, {"ru", run.russian_title}};
+    if (!run.title.english.empty()) return object_of<Json>(run.title);
     const std::string name = name_of(scene_of(lesson, run));
-    return {{"en", name}, {"ru", name}};
+    return object_of<Json>(in_each_language([&](Language) { return name; }));
 }
 
 }  // namespace
@@ -50,12 +51,11 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
     std::map<std::string, std::string> texts;  // of the traces, by their runs
     const Steps steps =
         run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) { texts[run.name] += text; });
-    const Figures in_english = figures_of(lesson, lesson.english, "en", problems);
-    const Figures in_russian = figures_of(lesson, lesson.russian, "ru", problems);
+    const auto figures = in_each_language([&](Language language) { return figures_of(lesson, language, problems); });
 
     BuiltLesson made;
     made.story_name = lesson.id + ".lesson.json";
-    made.story = lesson_json(lesson, steps, in_english, in_russian);
+    made.story = lesson_json(lesson, steps, figures);
     Json traces = Json::array();
     for (const auto& run : lesson.runs) {
         const std::string file = run.trace_file(lesson.id);
@@ -69,16 +69,16 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
         if (!title["en"].get_ref<const std::string&>().empty()) trace["title"] = title;
         traces.push_back(std::move(trace));
     }
+    const auto titles = in_each_language([&](Language language) { return lesson.stories.in(language).plain_title; });
     made.entry = {{"id", lesson.id},
-                  {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
+                  {"title", object_of<Json>(titles)},
                   {"traces", std::move(traces)},
                   {"story", made.story_name}};
     return made;
 }
 
 void check_figures(const Lesson& lesson, Problems& problems) {
-    figures_of(lesson, lesson.english, "en", problems);
-    figures_of(lesson, lesson.russian, "ru", problems);
+    for (const Language language : languages) figures_of(lesson, language, problems);
 }
 
 int status_after(const Problems& problems) {

@@ -1,24 +1,12 @@
 #include "cli/shared/chart_axes.h"
 
-#include <array>
-#include <concepts>
-
 #include "chart/chart.h"
 #include "cli/shared/run_options.h"
 #include "refused.h"
 
 namespace vidno::cli {
 
-using figures::Language;
-
 namespace {
-
-/// The words in the language, from those in every one.
-template <class Words, std::same_as<Words>... Others>
-const Words& in(Language language, const Words& first, const Others&... others) {
-    static_assert(1 + sizeof...(others) == figures::language_codes.size());
-    return *std::array{&first, &others...}[std::size_t(language)];
-}
 
 /// The names of the items, in their order.
 std::vector<std::string> names_of(const auto& named) {
@@ -69,14 +57,13 @@ void expect_axes(const AxisOptions& axes, bool of_surfaces) {
 std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout,
                       Language language) {
     const auto [cost, error] = places_of(axes, cost_axes, error_axes);
-    return chart_script(scenes, cost, error, layout, in(language, chart_in_english, chart_in_russian));
+    return chart_script(scenes, cost, error, layout, language);
 }
 
 std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout,
                       Language language) {
     const auto [cost, error] = places_of(axes, surface_cost_axes, surface_error_axes);
-    return chart_script(surfaces, cost, error, layout,
-                        in(language, surface_chart_in_english, surface_chart_in_russian));
+    return chart_script(surfaces, cost, error, layout, language);
 }
 
 }  // namespace vidno::cli

@@ -25,8 +25,8 @@ void expect_axes(const AxisOptions& axes, bool of_surfaces);
 /// The gnuplot program that draws a chart on the named axes, with words in the language. Refuses axes that a chart of this kind does not
 /// have.
 std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout = {},
-                      figures::Language language = figures::Language::english);
+                      Language language = Language::english);
 std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout = {},
-                      figures::Language language = figures::Language::english);
+                      Language language = Language::english);
 
 }  // namespace vidno::cli

@@ -29,8 +29,6 @@ using figures::About;
 using figures::encoded;
 using figures::Format;
 using figures::format_of;
-using figures::Language;
-
 constexpr std::uint64_t most_panels = 200;
 constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_height = 72;  // millimetres
 
@@ -118,7 +116,7 @@ std::vector<figures::Part> parts_of(const FigureOptions& options) {
 }
 
 figures::Style style_of(const FigureOptions& options) {
-    return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
+    return {Language(place_in(language_codes, options.language)), options.greyscale};
 }
 
 /// Reads a trace and draws the requested steps on the way; without steps, the last one. Calls back for each event.
@@ -174,20 +172,20 @@ figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std:
     return figure;
 }
 
-std::string method_in(const TraceHeader& header, figures::Language language) {
-    if (!is_family(header.method)) return std::string(in(language, choice_of(header.method).title));
-    return std::string(in(language, choice_of(Method::warnock).title)) + " (" +
+std::string method_in(const TraceHeader& header, Language language) {
+    if (!is_family(header.method)) return std::string(choice_of(header.method).title.in(language));
+    return std::string(choice_of(Method::warnock).title.in(language)) + " (" +
            std::string(method_names[std::size_t(header.method)]) + ")";
 }
-std::string method_in(const FloatingHorizonHeader&, figures::Language language) {
-    return std::string(in(language, floating_horizon_choice.title));
+std::string method_in(const FloatingHorizonHeader&, Language language) {
+    return std::string(floating_horizon_choice.title.in(language));
 }
 
-std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, figures::Language language) {
+std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, Language language) {
     std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
     title += method_in(header, language);
     if (!steps.empty()) {
-        title += " · " + std::string(words_of(language).step) + " " + std::to_string(steps.front());
+        title += " · " + std::string(figures::words_of(language).step) + " " + std::to_string(steps.front());
     }
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }
@@ -338,7 +336,7 @@ void add_figure_options(CLI::App& command, FigureOptions& options) {
         ->capture_default_str();
     command.add_option("--pixel", options.pixel, "X,Y: the pixel whose history is shown");
     command.add_option("--language", options.language, "The language of its words")
-        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("--width", options.width, "In cm or mm [8cm; for a film strip 17cm, for a slide 14cm]");
     command.add_option("--kernel", options.kernel, "For a map: which arithmetic decides")
