@@ -17,7 +17,7 @@ same() {
     local statuses
     statuses=$(
         set +e
-        (cd node && npx --offline vidno "$@" >out 2>messages)
+        (cd node && "$work/node_modules/.bin/vidno" "$@" >out 2>messages)
         printf '%s ' $?
         (cd native && "$program" "$@" >out 2>messages)
         printf '%s' $?
@@ -33,15 +33,23 @@ same() {
     echo "  same: vidno ${*/#$lessons/lessons}"
 }
 
-for scene in "$lessons"/{01-four-relations,05-polygon-clip,08-show-line}/scene.json; do
-    for method in warnock zbuffer; do
-        same trace "$scene" --method "$method" --check -o run.jsonl
-        same check "$scene" --method "$method" --kernel float
-        same figure run.jsonl --step 30 -o figure.svg
-        same figure run.jsonl --step 30 --language ru -o figure.tex
-        same replay run.jsonl -o states.jsonl
-    done
+for method in warnock zbuffer weiler-atherton; do
+    same trace "$lessons"/05-polygon-clip/scene.json --method "$method" --check -o run.jsonl
+    same figure run.jsonl --step 30 --show picture,windows,list,listing --language ru -o figure.tex
+    same replay run.jsonl -o states.jsonl
+done
+# The scenes of the lessons, without the surfaces that are given by a formula.
+for scene in "$lessons"/[0-9]*/*.json; do
+    if [[ $scene == */lesson.json ]] || grep -q '"function"' "$scene"; then continue; fi
+    same trace "$scene" -o run.jsonl
+    same check "$scene" --kernel float --list decisions.csv
+    same figure run.jsonl --step 30 -o figure.svg
+    same figure run.jsonl -o figure.tex
     same need "$scene" -o least.json
+done
+for decision in "$lessons"/maps/*.json; do
+    same map "$decision" -o map.json
+    same figure "$decision" -o map.svg
 done
 same trace "$lessons"/../tests/wasm/hills.json --method floating-horizon -o curves.jsonl
 same trace "$lessons"/08-show-line/scene.json --method weiler-atherton -o regions.jsonl

@@ -1,6 +1,7 @@
 # The Debian packages: `vidno`, the program with its page and its lessons, and `libvidno-dev`, the headers. ./dev package builds them.
 include(GNUInstallDirs)
 install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/vidno COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/NOTICES.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/vidno COMPONENT program OPTIONAL)
 install(FILES trace/LICENCES.md CHANGELOG.md COMPATIBILITY.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/vidno COMPONENT program)
 install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libvidno-dev COMPONENT library)
 

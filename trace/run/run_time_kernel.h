@@ -252,7 +252,7 @@ protected:
         const auto& y = intersection.y;
         if (!survey_ || arithmetic.is_exact() || !is_defined(x) || !is_defined(y)) return;
         const PointConstructed constructed(x, y);
-        const auto off = [](const Number& v) { return CGAL::to_double(Rational(v.value()) - *v.truth()); };
+        const auto off = [](const Number& v) { return nearest_double(Rational(v.value()) - *v.truth()); };
         if (is_finite(x) && is_finite(y)) (*survey_)({std::hypot(off(x), off(y)), &constructed});
     }
 

@@ -55,8 +55,9 @@ inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& rig
     const Rational exact = left - right;
     Gap gap{if_zero, {}, {Exact::fraction(exact)}, Sign{int(CGAL::sign(exact))}};
     if (gap.sign == Sign::zero) return gap;
-    const double greatest = std::max(std::abs(CGAL::to_double(left)), std::abs(CGAL::to_double(right)));
-    gap.ulps = std::abs(CGAL::to_double(exact)) / std::ldexp(1, std::ilogb(greatest) + 1 - digits);
+    // Not CGAL::to_double, whose last digit depends on the library of rationals.
+    const double greatest = nearest_double(std::max(Rational(CGAL::abs(left)), Rational(CGAL::abs(right))));
+    gap.ulps = std::abs(nearest_double(exact)) / std::ldexp(1, std::ilogb(greatest) + 1 - digits);
     return gap;
 }
 

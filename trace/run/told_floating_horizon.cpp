@@ -127,7 +127,7 @@ private:
     void survey(const Point<RunTimeNumber>& p) {
         const auto known = [](const auto& v) { return !v.is_exact() && v.has_truth() && std::isfinite(v.value()); };
         if (!known(p.x) || !known(p.y)) return;
-        const auto off = [](const auto& v) { return CGAL::to_double(Rational(v.value()) - *v.truth()); };
+        const auto off = [](const auto& v) { return nearest_double(Rational(v.value()) - *v.truth()); };
         const PointConstructed constructed(p.x, p.y);
         (*judging_->survey)({std::hypot(off(p.x), off(p.y)), &constructed});
     }
