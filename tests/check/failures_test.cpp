@@ -263,7 +263,7 @@ TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it
 TEST_CASE(
     "Failures: a pixel that the Z-buffer only clears is seen wrong at no step, by Warnock's algorithm at its fill") {
     // N covers (8, 8), not (1, 1).
-    const Scene scene = SceneBuilder(area_16).polygon("N", green, near_square).build();
+    const AdmittedScene scene = SceneBuilder(area_16).polygon("N", green, near_square).build();
     for (const auto& [method, has_step] :
          std::to_array<std::pair<std::string, bool>>({{"warnock", true}, {"zbuffer", false}})) {
         CAPTURE(method);
