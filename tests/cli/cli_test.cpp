@@ -207,9 +207,10 @@ TEST_CASE("A file of another version is refused with advice by each command that
     const Workplace work;
     const auto refused = [&](const std::string& command, const std::string& format, const std::string& out) {
         const std::string file = work.write("other.json", R"({"format":")" + format + "\"}\n");
-        const auto [status, text] = program(command + ' ' + file + " -o " + work.file(out));
-        CHECK(status == 2);
-        CHECK_MESSAGE(text.find(" but \"" + format + "\": a newer vidno reads this file") != std::string::npos, text);
+        const auto said = program(command + ' ' + file + " -o " + work.file(out));
+        CHECK(said.status == 2);
+        CHECK_MESSAGE(said.text.find(" but \"" + format + "\": a newer vidno reads this file") != std::string::npos,
+                      said.text);
     };
     for (const std::string name : {"scene", "surface", "failure"})
         refused("trace", "vidno-" + name + "/2", "run.jsonl");
