@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "vidno/admitted.h"
 #include "vidno/picture.h"
 
 namespace vidno {

@@ -7,6 +7,7 @@
 #include "choice/kernel_choice.h"
 #include "format/trace_writer.h"
 #include "run/followers.h"
+#include "vidno/admitted.h"
 
 namespace vidno {
 

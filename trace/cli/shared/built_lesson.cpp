@@ -39,7 +39,7 @@ Figures figures_of(const Lesson& lesson, Language language, Problems& problems) 
 /// The title of a run: the lesson's, or the name of its scene; never the name of a file.
 Json title_of(const Lesson& lesson, const LessonRun& run) {
     if (!run.title.english.empty()) return object_of<Json>(run.title);
-    const std::string name = name_of(scene_of(lesson, run));
+    std::string name = name_of(scene_of(lesson, run));
     return object_of<Json>(in_each_language([&](Language) { return name; }));
 }
 
