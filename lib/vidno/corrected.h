@@ -9,7 +9,6 @@
 #include <array>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "corrected_polygons.h"
 #include "method.h"
@@ -42,7 +41,7 @@ struct Corrected : CorrectedPolygons,
     static Window root_window(const Area& area) { return covering_square(area); }
 
     /// W13: the parts into which a window is split; together they cover it.
-    static std::vector<Window> parts(const Window& window) { return parts_of(window); }
+    static WindowParts parts(const Window& window) { return parts_of(window); }
 
     /// W13: the list of a part of a window: its own copy.
     template <class List>

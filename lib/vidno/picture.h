@@ -26,7 +26,14 @@ struct PixelRun {
 class Picture {
 public:
     Picture(const Area& area, Color background)
-        : area_(area), pixels_(std::size_t(area.width) * std::size_t(area.height), background) {}
+        : area_(area), pixels_(std::size_t(area.width) * std::size_t(area.height)) {
+        if (pixels_.empty()) return;
+        // A row is copied faster than it is filled, because a colour has three bytes.
+        const auto first_row_end = std::fill_n(pixels_.begin(), area.width, background);
+        for (auto row = first_row_end; row != pixels_.end(); row += area.width) {
+            std::copy(pixels_.begin(), first_row_end, row);
+        }
+    }
 
     const Area& area() const { return area_; }
     const std::vector<Color>& pixels() const { return pixels_; }  // row by row from the top

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
+#include <cstddef>
 #include <string_view>
-#include <vector>
 
 #include "scene.h"
 
@@ -37,14 +38,29 @@ inline Window covering_square(const Area& area) {
     return {double(area.x), double(area.y), side, side};
 }
 
+/// The parts of a window: at most four, so that they need no allocated memory.
+class WindowParts {
+public:
+    void push_back(const Window& part) {
+        assert(count_ < parts_.size());
+        parts_[count_++] = part;
+    }
+
+    const Window* begin() const { return parts_.data(); }
+    const Window* end() const { return parts_.data() + count_; }
+
+private:
+    std::array<Window, 4> parts_;
+    std::size_t count_ = 0;
+};
+
 /// The window with each side longer than 1 halved: four parts, two, or one.
-inline std::vector<Window> parts_of(const Window& window) {
+inline WindowParts parts_of(const Window& window) {
     const int columns = window.width > 1 ? 2 : 1;
     const int rows = window.height > 1 ? 2 : 1;
     const double width = window.width / columns;
     const double height = window.height / rows;
-    std::vector<Window> parts;
-    parts.reserve(4);
+    WindowParts parts;
     for (int i = 0; i < columns; ++i) {
         for (int j = 0; j < rows; ++j) parts.push_back({window.x + i * width, window.y + j * height, width, height});
     }

@@ -338,7 +338,8 @@ TEST_CASE("Failures: halving a window stalls where there are no halves") {
     CHECK(x + width / 2 == x);
     Window window = covering_square({farthest_offset, farthest_offset, largest_side, largest_side});
     while (window.width > 1) {
-        const Window last = parts_of(window).back();
+        const WindowParts parts = parts_of(window);
+        const Window last = *std::prev(parts.end());
         CHECK(last.x > window.x);
         CHECK(last.width == window.width / 2);
         window = last;

@@ -405,7 +405,8 @@ namespace {
 template <class K>
 std::vector<Window> split_at_vertex(const AdmittedScene& scene, const Window& of) {
     Stage<K, family::AtVertex> stage(scene);
-    return family::AtVertex::split(stage.run, of, stage.all_active());
+    const WindowParts parts = family::AtVertex::split(stage.run, of, stage.all_active());
+    return {parts.begin(), parts.end()};
 }
 
 }  // namespace

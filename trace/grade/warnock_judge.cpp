@@ -88,7 +88,8 @@ void WarnockJudge::judge_parts() {
                     missing->step};
     }
     if (decided_ != Case::split || tree_.empty() || tree_.parts().size() < 2) return;
-    std::vector<Window> usual = parts_of(window_), told = tree_.parts();
+    const WindowParts halves = parts_of(window_);
+    std::vector<Window> usual(halves.begin(), halves.end()), told = tree_.parts();
     const auto off = [&](const Window& part) { return off_area(part, scene().area); };
     std::erase_if(usual, off);
     std::erase_if(told, off);

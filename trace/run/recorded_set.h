@@ -52,7 +52,7 @@ struct AnyMethod : family::Full {
     Window root_window(const Area& area) const {
         return method == Method::warnock_vertex ? family::AtVertex::root_window(area) : Corrected::root_window(area);
     }
-    std::vector<Window> split(auto& run, const Window& window, const auto& polygons) const {
+    WindowParts split(auto& run, const Window& window, const auto& polygons) const {
         return method == Method::warnock_vertex ? family::AtVertex::split(run, window, polygons)
                                                 : family::Full::split(run, window, polygons);
     }
@@ -91,7 +91,7 @@ struct AnyEdition : AnyMethod {
         return has(Deviation::integer_division) ? mistakes::IntegerDivision::root_window(area)
                                                 : AnyMethod::root_window(area);
     }
-    std::vector<Window> parts(const Window& window) const {
+    WindowParts parts(const Window& window) const {
         return has(Deviation::integer_division) ? mistakes::IntegerDivision::parts(window) : Corrected::parts(window);
     }
     template <class List>

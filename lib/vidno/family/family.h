@@ -43,7 +43,7 @@ struct Full : Corrected, RelationTest, BoxTest, TrialFunction, RayCrossings, Oct
     }
 
     /// WF12: the parts of a window, whatever it contains.
-    static std::vector<Window> split(auto&, const Window& window, const auto&) { return parts(window); }
+    static WindowParts split(auto&, const Window& window, const auto&) { return parts(window); }
 };
 
 /// Tests containment by the sum of the angles.
@@ -61,7 +61,7 @@ struct AtVertex : Full {
     static constexpr std::string_view name = "at vertex";
     static constexpr auto methods = std::to_array({Method::warnock_vertex});
     static Window root_window(const Area& area) { return whole_area(area); }
-    static std::vector<Window> split(auto& run, const Window& window, const auto& polygons) {
+    static WindowParts split(auto& run, const Window& window, const auto& polygons) {
         return VertexSplit::split(run, window, polygons);
     }
 };

@@ -14,7 +14,7 @@ namespace vidno {
 
 struct VertexSplit {
     template <class Run>
-    static std::vector<Window> split(Run& run, const Window& window,
+    static WindowParts split(Run& run, const Window& window,
                                      const ActivePolygonList<typename Run::Arithmetic>& polygons) {
         using enum Line;
         auto& trace = run.trace;
@@ -38,8 +38,8 @@ struct VertexSplit {
 
 private:
     /// The parts on either side of the first boundaries of a column and a row; fewer than four if one is a side of the window.
-    static std::vector<Window> parts_about(const Window& window, double column, double row) {
-        std::vector<Window> parts;
+    static WindowParts parts_about(const Window& window, double column, double row) {
+        WindowParts parts;
         for (const auto& [left, right] : {std::pair(window.x, column), std::pair(column, window.right())}) {
             for (const auto& [top, bottom] : {std::pair(window.y, row), std::pair(row, window.bottom())}) {
                 if (left < right && top < bottom) parts.push_back({left, top, right - left, bottom - top});

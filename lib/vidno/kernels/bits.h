@@ -21,22 +21,27 @@ namespace vidno {
 inline constexpr int fewest_bits = 4;
 inline constexpr int most_bits = 24;
 
-/// The nearest double with this number of significant bits; ties go to even.
-inline double rounded_to(int bits, double value) {
-    if (!std::isfinite(value)) return value;
-    const int surplus = std::numeric_limits<double>::digits - bits;
-    const std::uint64_t half = std::uint64_t{1} << (surplus - 1);
-    auto pattern = std::bit_cast<std::uint64_t>(value);
-    const std::uint64_t odd = pattern >> surplus & 1;
-    pattern += half - 1 + odd;  // a carry out of the significand belongs in the exponent
-    return std::bit_cast<double>(pattern >> surplus << surplus);
+/// The lowest bit of a double's significand that a number with this many significant bits keeps.
+inline std::uint64_t lowest_kept_bit(int bits) {
+    return std::uint64_t{1} << (std::numeric_limits<double>::digits - bits);
 }
+
+/// The nearest double whose significand has no bits below the lowest kept one; ties go to even.
+inline double rounded_at(std::uint64_t lowest, double value) {
+    const auto pattern = std::bit_cast<std::uint64_t>(value);
+    const std::uint64_t tie_to_even = (pattern & lowest) != 0 ? lowest / 2 : lowest / 2 - 1;
+    // A carry out of the significand belongs in the exponent.
+    return std::isfinite(value) ? std::bit_cast<double>((pattern + tie_to_even) & -lowest) : value;
+}
+
+/// The nearest double with this number of significant bits; ties go to even.
+inline double rounded_to(int bits, double value) { return rounded_at(lowest_kept_bit(bits), value); }
 
 /// A double with a precision in bits. It carries the precision, since there is no global to hold it; a constant has none.
 class Rounded {
 public:
     Rounded(double constant = 0) : value_(constant) {}
-    Rounded(int bits, double value) : value_(rounded_to(bits, value)), bits_(bits) {}
+    Rounded(int bits, double value) : Rounded(lowest_kept_bit(bits), value) {}
 
     explicit operator double() const { return value_; }
 
@@ -54,13 +59,15 @@ public:
     friend auto operator<=>(const Rounded& a, const Rounded& b) { return a.value_ <=> b.value_; }
 
 private:
+    Rounded(std::uint64_t lowest, double value) : value_(rounded_at(lowest, value)), lowest_(lowest) {}
+
     static Rounded result(const Rounded& a, const Rounded& b, double value) {
-        const int bits = std::max(a.bits_, b.bits_);
-        return bits > 0 ? Rounded(bits, value) : Rounded(value);
+        const std::uint64_t lowest = a.lowest_ | b.lowest_;
+        return lowest != 0 ? Rounded(lowest, value) : Rounded(value);
     }
 
     double value_;
-    int bits_ = 0;
+    std::uint64_t lowest_ = 0;  // the lowest bit kept
 };
 
 }  // namespace vidno

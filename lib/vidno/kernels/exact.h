@@ -55,8 +55,16 @@ private:
         } else {
             const auto [p, q] = parts(value);
             const Integer divisor = CGAL::gcd(p, q);
+            return digits(Integer(p / divisor)) + '/' + digits(Integer(q / divisor));
+        }
+    }
+
+    static std::string digits(const auto& number) {
+        if constexpr (requires { number.str(); }) {
+            return number.str();
+        } else {
             std::ostringstream text;
-            text << Integer(p / divisor) << '/' << Integer(q / divisor);
+            text << number;
             return text.str();
         }
     }

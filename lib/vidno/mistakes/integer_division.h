@@ -20,7 +20,7 @@ struct IntegerDivision : Corrected {
     static Window root_window(const Area& area) { return whole_area(area); }
 
     /// W13: an odd side is split like the even one below it.
-    static std::vector<Window> parts(const Window& window) {
+    static WindowParts parts(const Window& window) {
         const auto covered = [](double side) { return side > 1 ? side - std::fmod(side, 2) : side; };
         return parts_of({window.x, window.y, covered(window.width), covered(window.height)});
     }
