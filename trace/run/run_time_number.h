@@ -5,10 +5,13 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "format/verdict.h"
 #include "vidno/kernels/bits.h"
@@ -45,9 +48,20 @@ struct Arithmetic {
     }
 };
 
+/// A double as a fraction.
 inline Fraction fraction_of(double value) {
-    if (std::isfinite(value)) return {Exact::fraction(Rational(value))};
-    return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
+    if (!std::isfinite(value)) return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
+    // A judged run writes each number that it uses. Nearly all of them are quotients of two words, which need no rationals.
+    constexpr int most_halvings = std::numeric_limits<std::int64_t>::digits - 1;
+    int halvings = 0;
+    double whole = value;
+    while (whole != std::trunc(whole) && halvings < most_halvings) {
+        whole *= 2;
+        ++halvings;
+    }
+    const bool are_words = whole == std::trunc(whole) && std::abs(whole) < 0x1p63;
+    if (!are_words) return {Exact::fraction(Rational(value))};
+    return {std::to_string(std::int64_t(whole)) + '/' + std::to_string(std::int64_t{1} << halvings)};
 }
 
 /// The gap between the numbers left and right, in ulps of the greater one.
@@ -61,6 +75,30 @@ inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& rig
     return gap;
 }
 
+/// A rational that its copies share, since most numbers are copied more often than computed with. Its text is written once.
+class SharedRational {
+public:
+    SharedRational() = default;
+    explicit SharedRational(Rational value) : shared_(std::make_shared<Shared>(std::move(value))) {}
+
+    explicit operator bool() const { return shared_ != nullptr; }
+    const Rational& operator*() const { return shared_->value; }
+
+    const std::string& fraction() const {
+        if (shared_->fraction.empty()) shared_->fraction = Exact::fraction(shared_->value);
+        return shared_->fraction;
+    }
+
+private:
+    struct Shared {
+        explicit Shared(Rational given) : value(std::move(given)) {}
+        Rational value;
+        std::string fraction{};
+    };
+
+    std::shared_ptr<Shared> shared_;
+};
+
 class RunTimeNumber {
 public:
     RunTimeNumber() = default;
@@ -70,18 +108,18 @@ public:
     /// A number of the scene or the screen. Its truth is the given number.
     RunTimeNumber(const Arithmetic& arithmetic, double given, const Judge* judge = nullptr)
         : value_(arithmetic.rounded(given)), arithmetic_(arithmetic), judge_(judge) {
-        if (judge || arithmetic.is_exact()) rational_ = kept(Rational(given));
+        if (judge || arithmetic.is_exact()) rational_ = SharedRational(Rational(given));
     }
 
     /// An exact number.
-    explicit RunTimeNumber(Rational exact) : arithmetic_{Arithmetic::Kind::exact}, rational_(kept(std::move(exact))) {}
+    explicit RunTimeNumber(Rational exact) : arithmetic_{Arithmetic::Kind::exact}, rational_(std::move(exact)) {}
 
     /// The same truth with another value in use.
     RunTimeNumber with_value(double value) const { return {arithmetic_, value, rational_, judge_}; }
 
     /// A number whose truth is unknown: only the computed value.
     static RunTimeNumber without_truth(const Arithmetic& arithmetic, double computed, const Judge* judge) {
-        return {arithmetic, computed, nullptr, judge};
+        return {arithmetic, computed, {}, judge};
     }
 
     bool is_exact() const { return arithmetic_.is_exact(); }
@@ -114,14 +152,14 @@ public:
     }
 
     /// The number in use, without its truth.
-    RunTimeNumber not_judged() const { return {arithmetic_, value_, nullptr, nullptr}; }
+    RunTimeNumber not_judged() const { return {arithmetic_, value_, {}, nullptr}; }
 
     /// The number as an operand of a decision, with a name.
     Operand operand(std::string name) const {
-        const auto exact = truth();
-        const Fraction right{exact ? Exact::fraction(*exact) : ""};
-        if (is_exact()) return {std::move(name), right, right};
-        return {std::move(name), fraction_of(value_), right};
+        const Fraction right = rational_       ? Fraction{rational_.fraction()}
+                               : is_constant() ? fraction_of(value_)
+                                               : Fraction{};
+        return {std::move(name), is_exact() ? right : fraction_of(value_), right};
     }
 
     /// A constant as a number of an arithmetic.
@@ -134,7 +172,7 @@ public:
     /// Not 0 - a, since a machine's number may become -0.
     friend RunTimeNumber operator-(RunTimeNumber a) {
         a.value_ = -a.value_;
-        if (a.rational_) a.rational_ = kept(-*a.rational_);
+        if (a.rational_) a.rational_ = SharedRational(-*a.rational_);
         return a;
     }
     friend RunTimeNumber operator+(const RunTimeNumber& a, const RunTimeNumber& b) {
@@ -150,7 +188,7 @@ public:
         const bool undefined = judge_of(a, b) && !common(a, b).is_exact() && b.rational_ && CGAL::is_zero(*b.rational_);
         if (!undefined) return computed(a, b, std::divides<>());
         const Arithmetic& arithmetic = common(a, b);
-        return {arithmetic, arithmetic.result(a.value_, b.value_, std::divides<>()), nullptr, judge_of(a, b)};
+        return {arithmetic, arithmetic.result(a.value_, b.value_, std::divides<>()), {}, judge_of(a, b)};
     }
 
     friend int whole_part(const RunTimeNumber& a, int low, int end) {
@@ -168,11 +206,7 @@ public:
     friend bool operator==(const RunTimeNumber& a, const RunTimeNumber& b) { return compared(a, b, std::equal_to<>()); }
 
 private:
-    using Kept = std::shared_ptr<const Rational>;  // most numbers are copied more often than computed with
-
-    static Kept kept(Rational value) { return std::make_shared<const Rational>(std::move(value)); }
-
-    RunTimeNumber(const Arithmetic& arithmetic, double computed, Kept rational, const Judge* judge)
+    RunTimeNumber(const Arithmetic& arithmetic, double computed, SharedRational rational, const Judge* judge)
         : value_(computed), arithmetic_(arithmetic), rational_(std::move(rational)), judge_(judge) {}
 
     bool is_constant() const { return arithmetic_.kind == Arithmetic::Kind::constant; }
@@ -199,18 +233,18 @@ private:
     static RunTimeNumber computed(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
         if (!a.is_plain() || !b.is_plain()) return computed_exactly(a, b, operation);
         const Arithmetic& arithmetic = common(a, b);
-        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), nullptr, nullptr};
+        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), {}, nullptr};
     }
     static RunTimeNumber computed_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
         const auto exactly = [&] {
-            return of_rationals<Kept>(a, b, [&](const Rational& p, const Rational& q) {
-                return std::make_shared<const Rational>(operation(p, q));
-            });
+            return of_rationals<SharedRational>(
+                a, b, [&](const Rational& p, const Rational& q) { return SharedRational(operation(p, q)); });
         };
         const Arithmetic& arithmetic = common(a, b);
         const Judge* judge = judge_of(a, b);
         if (arithmetic.is_exact()) return {arithmetic, 0, exactly(), judge};
-        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), judge ? exactly() : nullptr, judge};
+        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), judge ? exactly() : SharedRational(),
+                judge};
     }
 
     /// Comparing does not round: the answer is right for the operands.
@@ -257,7 +291,7 @@ private:
 
     double value_ = 0;
     Arithmetic arithmetic_;
-    Kept rational_;                 // the number itself if it is exact; else its truth
+    SharedRational rational_;       // the number itself if it is exact; else its truth
     const Judge* judge_ = nullptr;  // that of the number's run; none for a constant
 };
 
