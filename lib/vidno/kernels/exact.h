@@ -82,12 +82,13 @@ using Interval = CGAL::Interval_nt<false>;
 inline double nearest_double(const Rational& value) {
     double nearest = CGAL::to_double(value);  // or a few doubles away
     while (std::isfinite(nearest)) {
-        const Rational missing = value - Rational(nearest);
-        const double next = std::nextafter(nearest, missing < 0 ? -HUGE_VAL : HUGE_VAL);
-        if (missing == 0 || !std::isfinite(next)) break;
-        const auto order = CGAL::compare(CGAL::abs(missing), CGAL::abs(Rational(value - Rational(next))));
+        // Comparing with fractions of powers of two is cheap. The difference of two rationals would have to be reduced.
+        const auto side = CGAL::compare(value, Rational(nearest));
+        const double next = std::nextafter(nearest, side == CGAL::SMALLER ? -HUGE_VAL : HUGE_VAL);
+        if (side == CGAL::EQUAL || !std::isfinite(next)) break;
+        const auto side_of_middle = CGAL::compare(value, Rational((Rational(nearest) + Rational(next)) / 2));
         const bool is_even = std::bit_cast<std::uint64_t>(nearest) % 2 == 0;
-        if (order == CGAL::SMALLER || (order == CGAL::EQUAL && is_even)) break;
+        if (side_of_middle == CGAL::EQUAL ? is_even : side_of_middle != side) break;
         nearest = next;
     }
     return nearest;
