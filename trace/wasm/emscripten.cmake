@@ -20,7 +20,9 @@ set(em_flags
     -std=c++20 -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Werror -Wno-bitwise-instead-of-logical
     -DNDEBUG -DCGAL_DISABLE_GMP -DCGAL_ALWAYS_ROUND_TO_NEAREST -DFMT_HEADER_ONLY
     -isystem ${PROJECT_SOURCE_DIR}/trace/wasm/standard -I ${PROJECT_SOURCE_DIR}/lib -I ${PROJECT_SOURCE_DIR}/trace
-    -isystem ${em_include})
+    -isystem ${em_include}
+    # The module names files in its messages. Its bytes must not depend on the folder in which it was built.
+    -fmacro-prefix-map=${PROJECT_BINARY_DIR}/=)
 
 # The headers that CGAL needs are included before it, precompiled.
 set(em_exact ${PROJECT_BINARY_DIR}/em_include/exact.h.pch)
