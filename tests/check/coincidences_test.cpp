@@ -13,6 +13,7 @@
 #include "support/curves.h"
 #include "support/random_curves.h"
 #include "support/scenes.h"
+#include "support/zeros.h"
 #include "vidno/kernels/exact.h"
 
 using namespace vidno;
@@ -86,41 +87,6 @@ private:
 
 using PolygonAtPixel = std::tuple<int, int, int>;        // a polygon, x, y
 using PolygonsAtPixel = std::tuple<int, int, int, int>;  // two polygons, the nearer one so far last, x, y
-
-/// Hears the events of a run of level `signs`, with their steps.
-void hear_run(const AdmittedScene& scene, Method method,
-              const std::function<void(std::uint64_t step, const EventView& event)>& hear) {
-    std::uint64_t step = 0;
-    HeardBy sink([&](const EventView& event) { hear(++step, event); });
-    run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
-}
-
-/// The fields of an exact zero that the tests below compare.
-struct Zero {
-    std::uint64_t step;
-    Procedure procedure;
-    Coincidence coincidence;
-    std::vector<PolygonPlace> polygons;
-    PixelRectangle pixels;
-
-    bool is(Procedure own_procedure, Coincidence own_coincidence) const {
-        return procedure == own_procedure && coincidence == own_coincidence;
-    }
-};
-
-struct JudgedScene {
-    AdmittedScene scene;
-    std::vector<Zero> zeros;
-
-    /// The steps of those zeros.
-    std::set<std::uint64_t> steps(Procedure procedure, Coincidence coincidence) const {
-        std::set<std::uint64_t> found;
-        for (const auto& zero : zeros) {
-            if (zero.is(procedure, coincidence)) found.insert(zero.step);
-        }
-        return found;
-    }
-};
 
 using Place = std::pair<Rational, Rational>;
 
@@ -200,27 +166,13 @@ bool all_planar(const AdmittedScene& scene) {
     return std::all_of(scene->polygons.begin(), scene->polygons.end(), InRationals::is_planar);
 }
 
-/// In every other scene a polygon is there twice.
-AdmittedScene scene_with_copies(RandomScenes& random, int number) {
-    Scene scene = random.scene();
-    if (number % 2 == 1) {
-        scene.polygons.push_back(scene.polygons[std::size_t(random.whole(0, int(scene.polygons.size()) - 1))]);
-        scene.polygons.back().id = "copy";
-    }
-    return admit(std::move(scene));
-}
-
 /// 1,000 scenes and their zeros under Warnock's algorithm, judged once.
 const std::vector<JudgedScene>& scenes_of_warnock() {
     static const std::vector<JudgedScene> scenes = [] {
         RandomScenes random(23);
         std::vector<JudgedScene> all;
         for (int i = 0; i < 1000 / thinning; ++i) {
-            JudgedScene judged{scene_with_copies(random, i), {}};
-            for (const auto& each : of_kind(checked(judged.scene, Method::warnock, "filtered", 0), FindingKind::zero)) {
-                judged.zeros.push_back({each.step, each.procedure, each.gap->if_zero, each.polygons, each.pixels});
-            }
-            all.push_back(std::move(judged));
+            all.push_back(judged_scene(scene_with_copies(random, i), Method::warnock));
         }
         return all;
     }();

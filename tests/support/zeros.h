@@ -1,0 +1,70 @@
+/// The exact zeros that the list of decisions has for a scene, for tests that count them independently.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "run/run.h"
+#include "support/checked.h"
+#include "support/scenes.h"
+
+namespace vidno::test {
+
+/// Hears the events of a run of level `signs`, with their steps.
+inline void hear_run(const AdmittedScene& scene, Method method,
+                     const std::function<void(std::uint64_t step, const EventView& event)>& hear) {
+    std::uint64_t step = 0;
+    HeardBy sink([&](const EventView& event) { hear(++step, event); });
+    run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
+}
+
+/// The fields of an exact zero that the tests below compare.
+struct Zero {
+    std::uint64_t step;
+    Procedure procedure;
+    Coincidence coincidence;
+    std::vector<PolygonPlace> polygons;
+    PixelRectangle pixels;
+
+    bool is(Procedure own_procedure, Coincidence own_coincidence) const {
+        return procedure == own_procedure && coincidence == own_coincidence;
+    }
+};
+
+struct JudgedScene {
+    AdmittedScene scene;
+    std::vector<Zero> zeros;
+
+    /// The steps of those zeros.
+    std::set<std::uint64_t> steps(Procedure procedure, Coincidence coincidence) const {
+        std::set<std::uint64_t> found;
+        for (const auto& zero : zeros) {
+            if (zero.is(procedure, coincidence)) found.insert(zero.step);
+        }
+        return found;
+    }
+};
+
+/// The zeros of a scene under `filtered`.
+inline JudgedScene judged_scene(AdmittedScene scene, Method method) {
+    JudgedScene judged{std::move(scene), {}};
+    for (const auto& each : of_kind(checked(judged.scene, method, "filtered", 0), FindingKind::zero)) {
+        judged.zeros.push_back({each.step, each.procedure, each.gap->if_zero, each.polygons, each.pixels});
+    }
+    return judged;
+}
+
+/// In every other scene a polygon is there twice.
+inline AdmittedScene scene_with_copies(RandomScenes& random, int number) {
+    Scene scene = random.scene();
+    if (number % 2 == 1) {
+        scene.polygons.push_back(scene.polygons[std::size_t(random.whole(0, int(scene.polygons.size()) - 1))]);
+        scene.polygons.back().id = "copy";
+    }
+    return admit(std::move(scene));
+}
+
+}  // namespace vidno::test
