@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scene/exact_scene.h"
@@ -214,6 +215,9 @@ std::vector<AdmittedScene> scenes_to_grade() {
                level(2.25, 3.25, 5.75, 7.25, .125)}),
         scene("An area of 16 x 3", {-9, 4, 16, 3},
               {level(-8.25, 4.25, 6.25, 5.75, .25), sloping(-4.25, 3.25, 5.25, 8.25, -.5, 1)}),
+        // The product of the two distances from the side x = 0 is less than every double but 0 (X-W7).
+        scene("Across a side by the least number", {0, 0, 2, 2},
+              {{{-std::numeric_limits<double>::denorm_min(), 1, 0}, {.125, .25, 0}, {1.75, 1, 0}, {.125, 1.75, 0}}}),
         scene("A single pixel", {3, 3, 1, 1}, {level(2.25, 2.25, 5.25, 5.25, .25), level(3.25, 3.25, 3.75, 3.75, .5)}),
         on(Color{16, 16, 32}, scene("A dark background", {0, 0, 12, 12},
                                     {level(1.25, 1.25, 7.75, 5.25, .25),
