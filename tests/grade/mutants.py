@@ -120,7 +120,7 @@ class Course:
         found = {}
         for scene in scenes:
             environment = dict(os.environ, VIDNO_SCENE=str(scene), VIDNO_TRACE=str(trace))
-            subprocess.run([str(program)], env=environment, capture_output=True, check=False, timeout=10)
+            subprocess.run([str(program)], env=environment, capture_output=True, check=False, timeout=120)
             found[scene] = trace.read_text(encoding='utf-8').split('\n')
         return found
 
