@@ -210,6 +210,8 @@ std::vector<AdmittedScene> scenes_to_grade() {
         scene("Edges on the centres of rows", {0, 0, 8, 8},
               {level(1.25, 1.5, 5.75, 4.5, .25), tilted({{2.5, 5.5}, {6.5, 5.5}, {4.5, 7.5}}, .25, 0, 0),
                tilted({{4.5, .5}, {7.5, 2.5}, {6.5, 6.5}}, .375, 0, 0)}),
+        // Two edges begin at one point and lead to the left, so only their dx says which is the left one.
+        scene("A tip on the centre of a row", square, {{{13.25, 2.5, 0}, {9.25, 13.25, -.25}, {1.25, 9.25, .25}}}),
         scene("An area of 5 x 12", {2, -3, 5, 12},
               {level(1, -4, 8, 10, -.25), tilted({{3.25, -2.25}, {6.75, 2.25}, {2.25, 8.25}}, .25, .03125, 0),
                level(2.25, 3.25, 5.75, 7.25, .125)}),
