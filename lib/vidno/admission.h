@@ -6,12 +6,13 @@
 ///
 /// Planar      no vertex is farther than 2^-40 of the extent from the plane of Newell's sum about the first vertex
 ///             (warnock/initialize_polygon.h). Triangles always are.
-/// Convex      all turns have one sign, and the direction of the edges, either "to the right or straight down" or the
-///             opposite, flips exactly twice. This suffices: an outline that winds around once with turns of one sign is
-///             convex, each winding flips the direction twice, and an edge that runs back on itself forces a turn of the
-///             other sign.
-/// Rounding    a vertex that is reflex by at most 2^-40 of the extent is dropped. The measure is its distance from the chord
-///             that replaces it. Linear time.
+/// Convex      the outline goes once around the convex hull of its vertices. No vertex is farther than 2^-40 of the extent from
+///             the side of the hull that the outline follows there, and along a side it never goes back by more than that.
+///             So neither the vertex at which an outline starts nor its direction matters.
+/// Rounding    an outline that is convex by this rule alone is replaced by the corners of its hull. One that is exactly convex
+///             stays as it is: all its turns have one sign, and the direction of its edges, either "to the right or straight
+///             down" or the opposite, flips exactly twice. (Each winding flips it twice, and an edge that runs back on
+///             itself forces a turn of the other sign.)
 /// Extent      the longest side of the box around the polygon.
 /// Arithmetic  CGAL's filtered orientation for the turns; for the distances intervals first, rationals where these
 ///             cannot decide. No coordinate overflows or underflows into a decision.
@@ -26,6 +27,8 @@
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,7 +85,7 @@ inline std::vector<std::size_t> without_repeats(const Vertices& vertices) {
 }
 
 /// Turns of one sign and exactly two flips. `outline` holds indices of vertices at different places.
-inline bool is_convex(const Vertices& vertices, const std::vector<std::size_t>& outline) {
+inline bool is_exactly_convex(const Vertices& vertices, const std::vector<std::size_t>& outline) {
     int first_turn = 0;
     int flips = 0;
     const std::size_t count = outline.size();
@@ -175,74 +178,151 @@ inline bool is_planar(const Vertices& vertices) {
     return (answer.is_certain() ? answer : planar<Exact>(vertices)).make_certain();
 }
 
-/// Seen from the viewer, is q within the tolerance of the segment from p to r?
-inline bool near_chord(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, const Box3<Exact>& box) {
-    const Vector<Exact> chord = difference<Exact>(r, p);
-    const Vector<Exact> way = difference<Exact>(q, p);
-    const Exact squared_chord = squared(chord.x) + squared(chord.y);
-    const Exact along = way.x * chord.x + way.y * chord.y;
-    if (along <= 0) return within_tolerance<Exact>(squared(way.x) + squared(way.y), 1, box).make_certain();
-    if (along >= squared_chord) {
-        const Vector<Exact> beyond = difference<Exact>(q, r);
-        return within_tolerance<Exact>(squared(beyond.x) + squared(beyond.y), 1, box).make_certain();
+/// Follows an outline around the convex hull of its vertices.
+class HullWalk {
+public:
+    /// The outline holds indices of vertices at different places, in either direction. Seen from the viewer its area is not 0.
+    HullWalk(const Vertices& vertices, std::vector<std::size_t> outline)
+        : vertices_(vertices),
+          outline_(std::move(outline)),
+          box_(box_of<Exact>(vertices)),
+          sign_(CGAL::sign(normal_of<Exact>(vertices).z)) {
+        find_corners();
+        if (sign_ < 0) std::reverse(corners_.begin(), corners_.end());
+        std::rotate(corners_.begin(), std::min_element(corners_.begin(), corners_.end()), corners_.end());
     }
-    return within_tolerance<Exact>(squared(Exact(chord.x * way.y - chord.y * way.x)), squared_chord, box)
-        .make_certain();
-}
 
-/// The outline without its reflex vertices: one walk with a stack, from a vertex that surely stays. It also drops vertices
-/// at which an edge runs back on itself.
-inline std::vector<std::size_t> without_reflex(const Vertices& vertices, std::vector<std::size_t> outline, int sign) {
-    const auto before = [&](std::size_t i, std::size_t j) { return direction(vertices[i], vertices[j]) > 0; };
-    std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end(), before), outline.end());
-    std::vector<std::size_t> kept;
-    const auto last_is_reflex = [&](const glm::dvec3& next) {
-        const glm::dvec3& p = vertices[kept.end()[-2]];
-        const glm::dvec3& q = vertices[kept.back()];
-        const int side = turn(p, q, next);
-        return side == -sign || (side == 0 && direction(p, q) == -direction(q, next));
-    };
-    const auto drop_reflex = [&](const glm::dvec3& next) {
-        while (kept.size() >= 2 && last_is_reflex(next)) kept.pop_back();
-    };
-    for (const std::size_t i : outline) {
-        drop_reflex(vertices[i]);
-        if (kept.empty() || !same_place(vertices[kept.back()], vertices[i])) kept.push_back(i);
+    /// Whether the outline is convex: the rule at the head of this file.
+    bool is_once_around() const {
+        if (sign_ == 0) return false;
+        std::map<std::pair<double, double>, std::ptrdiff_t> corner_at;
+        for (std::size_t c = 0; c < corners_.size(); ++c) {
+            const glm::dvec3& place = vertices_[corners_[c]];
+            corner_at[{place.x, place.y}] = std::ptrdiff_t(c);
+        }
+        std::vector<std::ptrdiff_t> passed;
+        for (const std::size_t i : outline_) {
+            const auto found = corner_at.find({vertices_[i].x, vertices_[i].y});
+            passed.push_back(found == corner_at.end() ? none : found->second);
+        }
+        const auto is_corner = [](std::ptrdiff_t c) { return c != none; };
+        const auto start = std::find_if(passed.begin(), passed.end(), is_corner) - passed.begin();
+        std::ptrdiff_t advance = 0;
+        auto last = std::size_t(start);
+        for (std::size_t step = 1; step <= outline_.size(); ++step) {
+            const std::size_t next = (std::size_t(start) + step) % outline_.size();
+            if (!is_corner(passed[next])) continue;
+            const auto ahead = corners_ahead(passed[last], passed[next]);
+            if (!ahead || !follows_side(last, next)) return false;
+            advance += *ahead;
+            last = next;
+        }
+        return advance == std::ssize(corners_);
     }
-    drop_reflex(vertices[outline.front()]);
-    std::sort(kept.begin(), kept.end());
-    return kept;
-}
 
-/// Is every dropped vertex of the outline within the tolerance of the chord that replaces it?
-inline bool dropped_are_near(const Vertices& vertices, const std::vector<std::size_t>& outline,
-                             const std::vector<std::size_t>& kept) {
-    const Box3<Exact> box = box_of<Exact>(vertices);
-    std::size_t next = 0;  // in kept: the first that is not before the vertex
-    return std::all_of(outline.begin(), outline.end(), [&](std::size_t i) {
-        if (next < kept.size() && kept[next] == i) return ++next, true;
-        const std::size_t previous = (next + kept.size() - 1) % kept.size();
-        return near_chord(vertices[kept[previous]], vertices[i], vertices[kept[next % kept.size()]], box);
-    });
-}
+    /// The vertices at the corners of the hull, in the direction of the outline and from its first.
+    Vertices corners() const {
+        Vertices places;
+        for (const std::size_t i : corners_) places.push_back(vertices_[i]);
+        return places;
+    }
 
-/// Checks that the outline is convex, dropping vertices that are reflex by rounding. Reports how many it dropped.
+private:
+    static constexpr std::ptrdiff_t none = -1;
+
+    /// The monotone chain of Andrew: from the leftmost corner along the upper side of the screen and back along the lower one.
+    void find_corners() {
+        std::vector<std::size_t> sorted = outline_;
+        std::sort(sorted.begin(), sorted.end(), [&](std::size_t i, std::size_t j) {
+            const int way = direction(vertices_[i], vertices_[j]);
+            return way != 0 ? way > 0 : i < j;
+        });
+        const auto same = [&](std::size_t i, std::size_t j) { return same_place(vertices_[i], vertices_[j]); };
+        sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
+        const auto add_chain = [&](auto first, auto last) {
+            const std::size_t before = corners_.size();
+            for (; first != last; ++first) {
+                while (corners_.size() >= before + 2 &&
+                       turn(vertices_[corners_.end()[-2]], vertices_[corners_.back()], vertices_[*first]) <= 0)
+                    corners_.pop_back();
+                corners_.push_back(*first);
+            }
+            corners_.pop_back();  // the first of the other chain
+        };
+        add_chain(sorted.begin(), sorted.end());
+        add_chain(sorted.rbegin(), sorted.rend());
+    }
+
+    bool near(const glm::dvec3& p, const glm::dvec3& q) const {
+        const Vector<Exact> way = difference<Exact>(p, q);
+        return within_tolerance<Exact>(squared(way.x) + squared(way.y), 1, box_).make_certain();
+    }
+
+    /// Whether each corner between two corners of the hull is within the tolerance of one of them.
+    bool is_step(std::ptrdiff_t from, std::ptrdiff_t to) const {
+        const std::ptrdiff_t count = std::ssize(corners_);
+        const auto place = [&](std::ptrdiff_t c) { return vertices_[corners_[std::size_t(c)]]; };
+        for (std::ptrdiff_t c = (from + 1) % count; c != to; c = (c + 1) % count) {
+            if (!near(place(c), place(from)) && !near(place(c), place(to))) return false;
+        }
+        return true;
+    }
+
+    /// By how many corners the outline advances from one corner to the next that it passes. Negative if it goes back within the
+    /// tolerance; none if it leaves the hull's order.
+    std::optional<std::ptrdiff_t> corners_ahead(std::ptrdiff_t from, std::ptrdiff_t to) const {
+        const std::ptrdiff_t count = std::ssize(corners_), forward = (to - from + count) % count;
+        if (forward == 0 || is_step(from, to)) return forward;
+        const auto place = [&](std::ptrdiff_t c) { return vertices_[corners_[std::size_t(c)]]; };
+        if (near(place(from), place(to)) && is_step(to, from)) return forward - count;
+        return std::nullopt;
+    }
+
+    /// Whether the vertices between two that are corners keep to the segment between these and do not go back along it.
+    bool follows_side(std::size_t from, std::size_t to) const {
+        const std::size_t count = outline_.size();
+        const glm::dvec3 &start = vertices_[outline_[from]], &end = vertices_[outline_[to]];
+        const Vector<Exact> side = difference<Exact>(end, start);
+        const Exact squared_side = squared(side.x) + squared(side.y);
+        Exact farthest = 0;
+        for (std::size_t i = (from + 1) % count; i != to; i = (i + 1) % count) {
+            const glm::dvec3& place = vertices_[outline_[i]];
+            const Vector<Exact> way = difference<Exact>(place, start);
+            const Exact along = way.x * side.x + way.y * side.y;
+            if (along <= 0 || along >= squared_side) {
+                if (!near(place, along <= 0 ? start : end)) return false;
+            } else if (!within_tolerance<Exact>(squared(Exact(side.x * way.y - side.y * way.x)), squared_side, box_)
+                            .make_certain()) {
+                return false;
+            }
+            if (along < farthest &&
+                !within_tolerance<Exact>(squared(Exact(farthest - along)), squared_side, box_).make_certain())
+                return false;
+            farthest = std::max(farthest, along);
+        }
+        return true;
+    }
+
+    const Vertices& vertices_;
+    std::vector<std::size_t> outline_;
+    std::vector<std::size_t> corners_;  // of the hull, in the direction of the outline
+    Box3<Exact> box_;
+    CGAL::Sign sign_;  // of the area of the outline
+};
+
+/// Checks that the outline is convex. Reports how many vertices it dropped because of rounding.
 inline PolygonAdmission make_convex(Vertices& vertices) {
     const std::vector<std::size_t> outline = without_repeats(vertices);
-    if (is_convex(vertices, outline)) return {};
-    const int sign = CGAL::sign(normal_of<Exact>(vertices).z);
-    if (sign == 0) return {Admission::not_convex};
-    const std::vector<std::size_t> kept = without_reflex(vertices, outline, sign);
-    if (!is_convex(vertices, kept) || !dropped_are_near(vertices, outline, kept)) return {Admission::not_convex};
-    Vertices rest;
-    for (const std::size_t i : kept) rest.push_back(vertices[i]);
-    vertices = std::move(rest);
-    return {Admission::admitted, outline.size() - kept.size()};
+    if (is_exactly_convex(vertices, outline)) return {};
+    const HullWalk walk(vertices, outline);
+    if (!walk.is_once_around()) return {Admission::not_convex};
+    vertices = walk.corners();
+    return {Admission::admitted, outline.size() - vertices.size()};
 }
 
 }  // namespace admission
 
-/// Checks all but the range of depth; sets edge_on and drops vertices that are reflex by rounding.
+/// Checks all but the range of depth; sets edge_on and drops vertices where only rounding keeps the outline from being convex.
 inline PolygonAdmission admit_shape(ScenePolygon& polygon) {
     auto& vertices = polygon.vertices;
     if (vertices.size() < 3) return {Admission::too_few_vertices};

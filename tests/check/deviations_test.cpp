@@ -54,7 +54,10 @@ struct Witness {
     }
 
     /// The whole trace of the run, without its header.
-    std::string told(Edition edition) const {
+    std::string told(Edition edition) const { return told(edition, of_curves() ? Method{} : method_of_polygons()); }
+
+    /// The same by another method of polygons.
+    std::string told(Edition edition, Method by) const {
         std::string text;
         const auto write = [&](std::string_view part) { text += part; };
         const std::string scene_text = entry["scene"].dump();
@@ -64,8 +67,8 @@ struct Witness {
             write_trace(FloatingHorizonRequest{kernel, edition, surface.curves, Detail::signs}, writer);
         } else {
             const AdmittedScene scene = read_scene(scene_text, "witness").scene;
-            TraceWriter writer(TraceHeader{method_of_polygons(), edition, kernel.name(), Detail::signs, scene}, write);
-            write_trace({method_of_polygons(), kernel, edition, scene, Detail::signs}, writer);
+            TraceWriter writer(TraceHeader{by, edition, kernel.name(), Detail::signs, scene}, write);
+            write_trace({by, kernel, edition, scene, Detail::signs}, writer);
         }
         return text.substr(text.find('\n'));
     }
@@ -73,6 +76,12 @@ struct Witness {
 
 bool tells_apart(const Witness& witness, Edition one, Edition other) {
     return witness.runs(one) && witness.runs(other) && witness.told(one) != witness.told(other);
+}
+
+/// The same by a method that is not always that of the witness.
+bool tells_apart(const Witness& witness, Method by, Edition one, Edition other) {
+    const auto runs = [&](Edition edition) { return witness.kernel.choice->runs(by, edition); };
+    return !witness.of_curves() && runs(one) && runs(other) && witness.told(one, by) != witness.told(other, by);
 }
 
 bool share_a_method(Deviation one, Deviation other) {
@@ -124,6 +133,26 @@ TEST_CASE("Deviations: the witness of one of two that share a method tells them 
             const std::string names = name_of(one) + " and " + name_of(other);
             CAPTURE(names);
             CHECK((tells_apart(Witness(one), one, other) || tells_apart(Witness(other), one, other)));
+        }
+    }
+}
+
+TEST_CASE(
+    "Deviations: a witness tells each from the corrected run and from every other one by each method that has it") {
+    for (const Deviation one : all_deviations()) {
+        const Witness witness(one);
+        for (const Method method : choice_of(one).methods) {
+            CAPTURE(int(method));
+            const std::string name = name_of(one);
+            CAPTURE(name);
+            CHECK(tells_apart(witness, method, one, Edition::corrected));
+            for (const Deviation other : all_deviations()) {
+                const auto& methods = choice_of(other).methods;
+                if (!(one < other) || std::find(methods.begin(), methods.end(), method) == methods.end()) continue;
+                const std::string other_name = name_of(other);
+                CAPTURE(other_name);
+                CHECK((tells_apart(witness, method, one, other) || tells_apart(Witness(other), method, one, other)));
+            }
         }
     }
 }

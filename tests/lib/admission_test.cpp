@@ -155,6 +155,34 @@ TEST_CASE("many vertices reflex by rounding are dropped, but a deep dent is not 
     CHECK(verdict(bay(0x1p-36)) == "not convex");
 }
 
+TEST_CASE("an outline may overrun its start by rounding, wherever it starts and in both directions") {
+    constexpr double ulp = 0x1p-52;  // of 1
+    // A square from (1, 1) to (2, 2) with a last vertex that lies past the first: along the first side, beyond it, and before it.
+    for (const double beyond : {0.0, -3 * ulp, 3 * ulp}) {
+        CAPTURE(beyond);
+        check_all("admitted", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 3 * ulp, 1 + beyond, 0}});
+        check_all("admitted",
+                  {{1.5, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {1.5 + 3 * ulp, 1 + beyond, 0}});
+    }
+    // Steps at a corner. In the first two all turns have one sign, but there the outline winds around once more.
+    const auto with_step = [](std::vector<glm::dvec3> step) {
+        for (const glm::dvec3 rest : {glm::dvec3{2, 1, 0}, {2, 2, 0}, {1, 2, 0}}) step.push_back(rest);
+        return step;
+    };
+    check_all("admitted", with_step({{1, 1, 0}, {1 + 3 * ulp, 1 - ulp, 0}, {1 - ulp, 1 + ulp, 0}}));
+    check_all("admitted", with_step({{1, 1, 0}, {1 + 3 * ulp, 1 + 4 * ulp, 0}, {1 - 4 * ulp, 1, 0}}));
+    check_all("admitted", with_step({{1, 1, 0}, {1 + 3 * ulp, 1 - 2 * ulp, 0}, {1, 1, 0}}));
+    // The overrun that the tolerance no longer admits: the extent is 1.
+    check_all("admitted", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 0x1p-40, 1, 0}});
+    check_all("not convex", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 0x1p-40 + ulp, 1, 0}});
+}
+
+TEST_CASE("an outline that is convex but for rounding keeps the corners of its hull, from its first one") {
+    ScenePolygon polygon = polygon_of({{0, 4, 0}, {0, 0, 0}, {2, 0x1p-60, 0}, {3, 0, 0}, {4, 0, 0}, {4, 4, 0}});
+    CHECK(admit_polygon(polygon).dropped == 2);
+    CHECK(polygon.vertices == std::vector<glm::dvec3>{{0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}});
+}
+
 TEST_CASE("in the world a polygon is seen along the axis nearest to its normal") {
     for (int axis = 0; axis < 3; ++axis) {
         CAPTURE(axis);

@@ -201,7 +201,8 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
          "/polygons/0/vertices/1/2: z outside -1 to 1"},
         {scene_with(std::string(triangle) + ", " + polygon_with("[[0, 0, 0], [4, 0, 0], [4, 4, 1], [0, 4, 0]]")),
          "/polygons/1/vertices: not planar"},
-        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")), "/polygons/0/vertices: not convex"},
+        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")),
+         "/polygons/0/vertices: not convex: the outline does not go once around the convex hull of its vertices"},
         {scene_with(named + ", " + named), "/polygons/1/id: the id is there twice"},
         {scene_with(R"({"id": "1", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}, )" +
                     std::string(triangle)),
@@ -233,7 +234,9 @@ TEST_CASE("a camera is complete and sees something") {
                                              "fov": 45, "near": 1, "far": 99}, )";
     CHECK(message_for(scene_with(polygon_with("[[0, 0, 7], [4, 0, 7], [0, 4, 7]]"), camera)) == "taken");
     const std::string bent = scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]"), camera);
-    CHECK(without_places(message_for(bent)) == "f.json: /polygons/0/vertices: not convex");
+    CHECK(without_places(message_for(bent)) ==
+          "f.json: /polygons/0/vertices: not convex: the outline does not go once around the convex hull of its "
+          "vertices");
 }
 
 TEST_CASE("everything but the vertices has a default") {

@@ -35,6 +35,16 @@ void Claims::judge_plane(const event::Plane& e) const {
                 say({"its vertices do not lie on that", "его вершины на ней не лежат"})};
 }
 
+void Claims::judge_fault(const event::Fault& e) const {
+    if (e.x && e.y) {
+        throw False{Symptom::off_polygon,
+                    say({"a polygon is drawn at pixel {}", "многоугольник рисуется в пикселе {}"}, pixel(*e.x, *e.y)),
+                    say({"that is not in the area", "он не лежит в области"})};
+    }
+    throw False{Symptom::impossible, say({"this line fails: {}", "на этой строке сбой: {}"}, e.reason),
+                say({"the corrected procedure goes on", "исправленная процедура работает дальше"})};
+}
+
 void Claims::judge_depth(int polygon, double x, double y, double z) const {
     if (!truth_.has_inside(polygon) || truth_.is_depth(polygon, x, y, z)) return;
     throw False{Symptom::depth,

@@ -34,6 +34,8 @@ protected:
     void judge_edge(int polygon, int edge) const;
     /// Line I1: throws False unless the plane is the polygon's.
     void judge_plane(const event::Plane& e) const;
+    /// Throws False: a run of the printed text failed at a line. Its write outside the area is a claim about that pixel.
+    [[noreturn]] void judge_fault(const event::Fault& e) const;
     /// Line D1 and equivalent claims: throws False unless the polygon's depth at (x, y) is z.
     void judge_depth(int polygon, double x, double y, double z) const;
     /// Throws False unless z lies behind every polygon. `what` is the claim, with a place for z.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scene/exact_scene.h"
@@ -209,11 +210,16 @@ std::vector<AdmittedScene> scenes_to_grade() {
         scene("Edges on the centres of rows", {0, 0, 8, 8},
               {level(1.25, 1.5, 5.75, 4.5, .25), tilted({{2.5, 5.5}, {6.5, 5.5}, {4.5, 7.5}}, .25, 0, 0),
                tilted({{4.5, .5}, {7.5, 2.5}, {6.5, 6.5}}, .375, 0, 0)}),
+        // Two edges begin at one point and lead to the left, so only their dx says which is the left one.
+        scene("A tip on the centre of a row", square, {{{13.25, 2.5, 0}, {9.25, 13.25, -.25}, {1.25, 9.25, .25}}}),
         scene("An area of 5 x 12", {2, -3, 5, 12},
               {level(1, -4, 8, 10, -.25), tilted({{3.25, -2.25}, {6.75, 2.25}, {2.25, 8.25}}, .25, .03125, 0),
                level(2.25, 3.25, 5.75, 7.25, .125)}),
         scene("An area of 16 x 3", {-9, 4, 16, 3},
               {level(-8.25, 4.25, 6.25, 5.75, .25), sloping(-4.25, 3.25, 5.25, 8.25, -.5, 1)}),
+        // The product of the two distances from the side x = 0 is less than every double but 0 (X-W7).
+        scene("Across a side by the least number", {0, 0, 2, 2},
+              {{{-std::numeric_limits<double>::denorm_min(), 1, 0}, {.125, .25, 0}, {1.75, 1, 0}, {.125, 1.75, 0}}}),
         scene("A single pixel", {3, 3, 1, 1}, {level(2.25, 2.25, 5.25, 5.25, .25), level(3.25, 3.25, 3.75, 3.75, .5)}),
         on(Color{16, 16, 32}, scene("A dark background", {0, 0, 12, 12},
                                     {level(1.25, 1.25, 7.75, 5.25, .25),

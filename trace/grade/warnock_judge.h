@@ -30,6 +30,7 @@ private:
     using Corners = std::array<std::optional<double>, 4>;
 
     void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
+    void judge(const event::Fault& e) const { judge_fault(e); }
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Push& e);
     void judge(const event::Skip& e) { tree_.skip(e.window); }

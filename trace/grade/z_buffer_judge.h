@@ -29,6 +29,7 @@ private:
     };
 
     void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
+    void judge(const event::Fault& e) const { judge_fault(e); }
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Clear& e);
     void judge(const event::Polygon& e);

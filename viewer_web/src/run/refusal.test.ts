@@ -11,11 +11,15 @@ const drawn = addPolygon(emptySketch, [
 ]);
 
 it.each([
-  ['scene: /polygons/0/vertices: not convex', 'A', 'not convex'],
+  ['scene: /polygons/0/vertices: not planar', 'A', 'not planar'],
   ['scene: /polygons/0/vertices/1/2: z outside -1 to 1\n', 'A', 'z outside -1 to 1'],
   ['scene: /window/width: not from 1 to 16384', '/window/width', 'not from 1 to 16384'],
   ['scene: line 2, column 3: not valid JSON', null, 'not valid JSON'],
-  ['scene: line 1, column 60: /polygons/0/vertices: not convex', 'A', 'not convex'],
+  [
+    'scene: line 1, column 60: /polygons/0/vertices: not convex: the outline does not go once around the convex hull of its vertices',
+    'A',
+    'not convex: the outline does not go once around the convex hull of its vertices',
+  ],
   [
     'scene: line 1, column 60: /polygons/0/color: not a string\nscene: line 1, column 80: /name: not a string',
     'A',

@@ -80,7 +80,8 @@ export const scene: SceneTexts = {
     'fewer than three vertices': 'меньше трёх вершин',
     'z outside -1 to 1': 'глубина не от −1 до 1',
     'not planar': 'не плоский',
-    'not convex': 'не выпуклый',
+    'not convex: the outline does not go once around the convex hull of its vertices':
+      'не выпуклый: граница не обходит выпуклую оболочку своих вершин ровно один раз',
     'has an edge that no other one shares':
       'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
     'goes along an edge the way another one does':
