@@ -1,4 +1,4 @@
-/// What the program says of itself, for its packages: the manual and the completions, derived from the tables of options.
+/// What the program says about itself, for its packages: the manual and the completions, derived from the tables of options.
 #include <iostream>
 #include <sstream>
 

@@ -240,7 +240,9 @@ void add_grade(CLI::App& program, int& status) {
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command.add_option("--seed", options->seed, "The seed of the random scenes")->capture_default_str();
-    command.add_option("--detail", options->detail, "Claims of this level must be told, or the exit status is 1")
+    command
+        .add_option("--detail", options->detail,
+                    "The trace must contain every claim of this level; otherwise the exit status is 1")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
     command.add_option("--seconds", options->seconds, "How long a run may take")

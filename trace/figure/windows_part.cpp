@@ -11,7 +11,7 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double least_side = 0.5;  // millimetres: smaller windows cannot be told apart
+constexpr double least_side = 0.5;  // millimetres: smaller windows look the same
 
 Path outlined(std::vector<Polyline> lines, Stroke stroke) { return {std::move(lines), false, {}, std::move(stroke)}; }
 

@@ -38,7 +38,7 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
         .decision = "decision",
         .painted = "painted",
         .legend =
-            "Of each polygon: − leaves the APL (PW3), S surrounds, + neither; then k (PW6). Painted: which polygon; 0 "
+            "For each polygon: − leaves the APL (PW3), S surrounds, + neither; then k (PW6). Painted: which polygon; 0 "
             "is background.",
         .decisions = "Decisions: W7 empty, W8 surrounded, W9 pixel, W10 single, W13 split.",
         .background = "0",

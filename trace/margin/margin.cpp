@@ -220,7 +220,8 @@ OutlineVertex Collector::cut(const OutlineVertex& from, const OutlineVertex& to,
     };
     if (const auto edge = common(from.edges, to.edges)) return {.cut_at = {side}, .edges = {*edge}, .sides = {side}};
     if (const auto other = common(from.sides, to.sides)) return {.cut_at = {*other, side}, .sides = {*other, side}};
-    throw Refused("the step's outline has rounded off the polygon's edges: its cuts cannot be told exactly");
+    throw Refused(
+        "the step's outline has rounded off the polygon's edges: the exact positions of its cuts are unknown");
 }
 
 void Collector::hear(const event::ClipSign& sign) {

@@ -19,12 +19,14 @@ import type { Margin } from '../exactness/margin.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import type { Actions } from '../elements/keyboard.js';
 import { isOnlyEdited } from '../elements/only-edited.js';
+import { withTerms } from '../elements/term.js';
 import { base, tokens } from '../elements/theme.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
 import { hasSolid, sideKeys, sideName, whyNoSolid } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
+import { FirstTerms } from '../i18n/glossary.js';
 import { texts } from '../i18n/index.js';
 import '../listing/listing-element.js';
 import type { ListingElement } from '../listing/listing-element.js';
@@ -245,7 +247,10 @@ export class PlayerElement extends StageElement {
               aria-atomic="true"
             >
               <span class="at">${view.event?.at ?? '·'}</span
-              ><span>${view.sentence} ${this.verdict(trace, view)}</span>
+              ><span
+                >${withTerms(view.sentence, new FirstTerms(this.language))}
+                ${this.verdict(trace, view)}</span
+              >
             </p>
             ${this.asides(view)} ${this.presenter.corner(view)}
           </div>

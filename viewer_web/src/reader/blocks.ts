@@ -48,7 +48,8 @@ function heading(block: Heading, telling: Telling): TemplateResult {
   const { story, lesson, addressOf, texts } = telling;
   const place = story.places.get(block) ?? '';
   const address = addressOf(lesson.id, place) ?? nothing;
-  const words = html`${inlines(block.text, telling)}
+  telling.terms?.forget();
+  const words = html`${inlines(block.text, { ...telling, terms: null })}
     <a class="anchor" href=${address} aria-label=${texts.linkHere(plainWords(block.text))}>#</a>`;
   return block.level === 2
     ? html`<h3 data-place=${place} tabindex="-1">${words}</h3>`
@@ -73,7 +74,7 @@ function figure({ caption, command, file }: Figure, telling: Telling): TemplateR
     html`<img src=${drawing} alt=${plainWords(caption)} />`;
   return html`<figure>
     ${svg === undefined ? nothing : image(telling.drawingOf(svg))}
-    <figcaption>${inlines(caption, telling)}</figcaption>
+    <figcaption>${inlines(caption, { ...telling, terms: null })}</figcaption>
     <vidno-command small .text=${command} .texts=${telling.texts}></vidno-command>
   </figure>`;
 }

@@ -1,5 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
+import { withTerms } from '../elements/term.js';
 import { formula } from './formula.js';
 import { glued, withWholePoints } from './glue.js';
 import type { Glued } from './glue.js';
@@ -10,9 +11,11 @@ type Told = string | TemplateResult;
 
 /** The inlines of a text as templates. Without a telling there are no links, as in a table of contents. */
 export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
-  return glued(text).map((inline) =>
-    typeof inline === 'string' ? withWholePoints(inline) : told(inline, telling),
-  );
+  return glued(text).flatMap((inline) => {
+    if (typeof inline !== 'string') return [told(inline, telling)];
+    const words = withWholePoints(inline);
+    return telling?.terms ? withTerms(words, telling.terms) : [words];
+  });
 }
 
 function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null): Told {
@@ -30,7 +33,8 @@ function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null):
     case 'pin':
     case 'lesson':
     case 'link':
-      return link(inline, inlines(inline.text, telling), telling);
+      // A link is a control already, and contains no other.
+      return link(inline, inlines(inline.text, telling && { ...telling, terms: null }), telling);
   }
 }
 

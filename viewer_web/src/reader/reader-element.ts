@@ -5,6 +5,7 @@ import { keyed } from 'lit/directives/keyed.js';
 import { live } from 'lit/directives/live.js';
 import { PrintedWhole } from '../elements/printed-whole.js';
 import { base } from '../elements/theme.js';
+import { FirstTerms } from '../i18n/glossary.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { Lesson } from '../lessons/lessons.js';
@@ -113,12 +114,13 @@ export class ReaderElement extends LitElement {
       texts: reader,
       story,
       current,
+      terms: new FirstTerms(language),
       addressOf,
       runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page, language),
       drawingOf: (svg: string) => this.drawings.addressOf(svg),
     };
     return html`<article lang=${language}>
-      <h2>${inlines(story.title, telling)}</h2>
+      <h2>${inlines(story.title, { ...telling, terms: null })}</h2>
       ${blocks(story.blocks, telling)} ${this.neighbours('long')}
     </article>`;
   }

@@ -1,3 +1,4 @@
+import type { FirstTerms } from '../i18n/glossary.js';
 import type { ReaderTexts } from '../language/reader-texts.js';
 import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
@@ -13,6 +14,8 @@ export interface Telling {
   readonly addressOf: AddressOf;
   /** A description of the run of a pin. */
   readonly runOf: (pin: Pin) => string;
+  /** The terms that occurred in the section so far; null where none is explained, as in a link. */
+  readonly terms: FirstTerms | null;
   /** The address of a figure in SVG. */
   readonly drawingOf: (svg: string) => string;
 }

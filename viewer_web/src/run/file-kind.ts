@@ -6,7 +6,7 @@ export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';
 /** The length of text that suffices to recognize a file. */
 const peek = 2 ** 16;
 
-/** By the name of the format. Whoever reads a file of another version reports that. */
+/** By the name of the format. The code that reads the file reports a version it does not know. */
 const kinds: ReadonlyMap<string, FileKind> = new Map([
   ['vidno-scene', 'scene'],
   ['vidno-surface', 'scene'],
