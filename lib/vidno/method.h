@@ -23,9 +23,7 @@ inline constexpr auto method_names =
     std::to_array<std::string_view>({"warnock", "zbuffer", "warnock-simplest", "warnock-full", "warnock-angles",
                                      "warnock-vertex", "warnock-edges", "warnock-bodies", "weiler-atherton"});
 
-constexpr bool is_family(Method method) {
-    return Method::warnock_simplest <= method && method <= Method::warnock_bodies;
-}
+constexpr bool is_family(Method method) { return Method::zbuffer < method && method < Method::weiler_atherton; }
 
 /// The methods that examine windows.
 constexpr bool is_warnock(Method method) { return method == Method::warnock || is_family(method); }

@@ -2,8 +2,11 @@
 /// of them. Each function calls the text of the set that has it.
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "choice/edition.h"
 #include "vidno/family/family.h"
@@ -26,47 +29,50 @@ namespace vidno {
 /// Warnock's algorithm, its variants and the Z-buffer, corrected.
 struct AnyMethod : family::Full {
     static constexpr std::string_view name = "recorded";
-    static constexpr auto methods =
-        std::to_array({Method::warnock, Method::zbuffer, Method::warnock_simplest, Method::warnock_full,
-                       Method::warnock_angles, Method::warnock_vertex, Method::warnock_edges, Method::warnock_bodies});
+    static constexpr auto methods = [] {  // all before Weiler and Atherton's algorithm, which has a set of its own
+        std::array<Method, std::size_t(Method::weiler_atherton)> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = Method(i);
+        return all;
+    }();
 
     Method method{};
 
     explicit AnyMethod(Method chosen) : method(chosen) {}
 
+    /// Calls `use` with the corrected set of the method.
+    auto with_set(auto&& use) const { return is_family(method) ? family::with_set_of(method, use) : use(Corrected{}); }
+    /// The same for a rule that only variants with three lists have.
+    auto with_full_set(auto&& use) const {
+        return with_set([&]<class Set>(Set set) {
+            if constexpr (std::derived_from<Set, family::Full>) {
+                return use(set);
+            } else {
+                return use(family::Full{});
+            }
+        });
+    }
+
     void warnock(auto& run) const {
-        switch (method) {
-            case Method::warnock_simplest: return family::Simplest::warnock(run);
-            case Method::warnock_edges: return family::EdgeOn::warnock(run);
-            case Method::warnock_full:
-            case Method::warnock_angles:
-            case Method::warnock_vertex: return family::Full::warnock(run);
-            default: return Corrected::warnock(run);
-        }
+        with_set([&](auto set) { set.warnock(run); });
     }
 
     bool takes_part(auto& run, const auto& polygon) const {
-        if (method == Method::warnock_bodies) return family::Bodies::takes_part(run, polygon);
-        return method == Method::warnock_edges || Corrected::takes_part(run, polygon);
+        return with_set([&](auto set) { return set.takes_part(run, polygon); });
     }
     Window root_window(const Area& area) const {
-        return method == Method::warnock_vertex ? family::AtVertex::root_window(area) : Corrected::root_window(area);
+        return with_set([&](auto set) { return set.root_window(area); });
     }
     WindowParts split(auto& run, const Window& window, const auto& polygons) const {
-        return method == Method::warnock_vertex ? family::AtVertex::split(run, window, polygons)
-                                                : family::Full::split(run, window, polygons);
+        return with_full_set([&](auto set) { return set.split(run, window, polygons); });
     }
     bool surrounds(auto& run, const auto& polygon, const Window& window) const {
-        return method == Method::warnock_angles ? family::Angles::surrounds(run, polygon, window)
-                                                : family::Full::surrounds(run, polygon, window);
+        return with_full_set([&](auto set) { return set.surrounds(run, polygon, window); });
     }
     bool surround_test(auto& run, const auto& point, const auto& polygon) const {
-        return method == Method::warnock_edges ? family::EdgeOn::surround_test(run, point, polygon)
-                                               : Corrected::surround_test(run, point, polygon);
+        return with_set([&](auto set) { return set.surround_test(run, point, polygon); });
     }
     auto depth(auto& run, const auto& polygon, const auto& point) const {
-        return method == Method::warnock_edges ? family::EdgeOn::depth(run, polygon, point)
-                                               : Corrected::depth(run, polygon, point);
+        return with_set([&](auto set) { return set.depth(run, polygon, point); });
     }
 };
 

@@ -8,23 +8,19 @@
 ///         geometric predicates, Discrete & Computational Geometry 18, 1997. Where it does not decide: CGAL's predicate.
 #pragma once
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <numeric>
-#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "filter_exactly.h"
 #include "filtered_values.h"
 
 namespace vidno {
 
 /// `Tally` receives, for each comparison, what decided it.
 template <class Tally>
-class FilteredBy : public PlaneDepths<FilteredPlane, Tally> {
+class FilteredBy : public PlaneDepths<FilteredPlane, Tally>, protected FilterExactly {
     using Depths = PlaneDepths<FilteredPlane, Tally>;
     using Depths::infinity;
 
@@ -223,20 +219,6 @@ public:
         return ax < bx || (ax == bx && exact_slope(a) < exact_slope(b));
     }
 
-protected:
-    /// The first of low <= i < end for which that does not hold, `end` if there is none; it holds for all before.
-    static int first_not(const auto& holds, int low, int end) {
-        while (low < end) {
-            const int middle = std::midpoint(low, end);
-            if (holds(middle)) {
-                low = middle + 1;
-            } else {
-                end = middle;
-            }
-        }
-        return low;
-    }
-
 private:
     /// The cross product left - right, which the scene's bound does not decide. Apart, so that the compiler inlines `cross`.
     [[gnu::noinline]] FilteredCross cross_near_zero(double left, double right, const auto& pivot, const auto& a,
@@ -255,148 +237,12 @@ private:
     void tell(bool certain) const { tell(certain ? FilterStage::operands : FilterStage::exact); }
     using Depths::tell;
 
-    // ------------------------------------------------------------------------------------- by the bound
-
-    /// A bound that is NaN bounds nothing.
-    static double at_most(double error) { return std::isnan(error) ? infinity : error; }
-
-    static Sign sign_of(double value) { return Sign{int(value > 0) - int(value < 0)}; }
-
-    static std::optional<Sign> certain_sign(const Bounded& v) {
-        if (sign_is_certain(v)) return sign_of(v.value);
-        if (v.value == 0 && v.error == 0) return Sign::zero;
-        return std::nullopt;
-    }
-
-    /// The least or the greatest of some values: the double to show, and the bounds between which the exact one lies.
-    class Range {
-    public:
-        double value = 0;
-
-        void least(const Bounded& v) {
-            include(v, [](double a, double b) { return b < a ? b : a; });
-        }
-        void greatest(const Bounded& v) {
-            include(v, [](double a, double b) { return a < b ? b : a; });
-        }
-        bool empty() const { return !any_; }
-        double low() const { return known_ ? low_ : -infinity; }
-        double high() const { return known_ ? high_ : infinity; }
-
-    private:
-        void include(const Bounded& v, auto&& choose) {
-            known_ = known_ && std::isfinite(v.low()) && std::isfinite(v.high());
-            value = any_ ? choose(value, v.value) : v.value;
-            low_ = any_ ? choose(low_, v.low()) : v.low();
-            high_ = any_ ? choose(high_, v.high()) : v.high();
-            any_ = true;
-        }
-
-        double low_ = 0, high_ = 0;
-        bool any_ = false, known_ = true;
-    };
-
-    struct Interval {
-        double low, high;
-    };
-    static Interval interval_of(const Bounded& v) {
-        const bool known = std::isfinite(v.low()) && std::isfinite(v.high());
-        return known ? Interval{v.low(), v.high()} : Interval{-infinity, infinity};
-    }
-
-    /// Certain if the centres on either side of the value lie outside its bounds; never if the bounds are unknown.
-    static std::optional<int> certain_first(const auto& v, int low, int end) {
-        const int first = machine_.first_centre(v.value, low, end);
-        const bool certain = (first == low || first - 0.5 < v.low()) && (first == end || v.high() <= first + 0.5);
-        return certain ? std::optional(first) : std::nullopt;
-    }
-    static std::optional<int> certain_last(const auto& v, int low, int end) {
-        const int last = machine_.last_centre(v.value, low, end);
-        const bool certain = (last == low - 1 || last + 0.5 <= v.low()) && (last == end - 1 || v.high() < last + 1.5);
-        return certain ? std::optional(last) : std::nullopt;
-    }
-
     bool same(const Bounded& a, const Bounded& b, auto&& exactly_so) const {
         const bool apart = std::abs(a.value - b.value) > 2 * (a.error + b.error);
         const bool known = apart || (a.is_exact() && b.is_exact());
         tell(known);
         return known ? !apart : exactly_so();
     }
-    static Bounded exact_one(const Bounded& a, const Bounded& b) { return a.is_exact() ? a : b; }
-
-    // ------------------------------------------------------------------------------------- exactly
-
-    [[gnu::noinline]] static Sign exact_orientation(const auto& pivot, const auto& a, const auto& b) {
-        using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
-        const auto point = [](const auto& p) { return Predicates::Point_2(p.x.value, p.y.value); };
-        return Sign{int(CGAL::orientation(point(pivot), point(a), point(b)))};
-    }
-
-    static Vertex<Rational> exactly(const Vertex<Given>& v) { return {v.x.value, v.y.value, 0}; }
-    static Vertex<Rational> exactly(const ClippedVertex& v) {
-        assert(v.x.is_exact() || v.y.is_exact());
-        // A computed coordinate may be infinite or NaN, so only an exact one becomes a rational.
-        if (!v.x.is_exact()) {
-            const Rational y = v.y.value;
-            return {along(v.from->y, v.from->x, v.to->y, v.to->x, y), y, 0};
-        }
-        const Rational x = v.x.value;
-        return {x, v.y.is_exact() ? Rational(v.y.value) : along(v.from->x, v.from->y, v.to->x, v.to->y, x), 0};
-    }
-    template <class AnyVertex>
-    static std::vector<Vertex<Rational>> exactly(const std::vector<AnyVertex>& outline) {
-        std::vector<Vertex<Rational>> vertices;
-        for (const auto& v : outline) vertices.push_back(exactly(v));
-        return vertices;
-    }
-
-    /// The line from (u1, v1) to (u2, v2) at u.
-    static Rational along(Given u1, Given v1, Given u2, Given v2, const Rational& u) {
-        const Rational start = u1.value;
-        const Rational value = v1.value;
-        return value + (u - start) * (Rational(v2.value) - value) / (Rational(u2.value) - start);
-    }
-
-    [[gnu::noinline]] static Sign exact_sign_beyond(const ClippedVertex& vertex, bool vertical, double at) {
-        const auto v = exactly(vertex);
-        return exact_.sign((vertical ? v.x : v.y) - Rational(at));
-    }
-
-    /// Where the end of a span lies: a vertex, or an active edge on its row.
-    static Rational exact_x(const auto& end_point, int row) {
-        if constexpr (requires { end_point.upper; }) {
-            const auto& [upper, lower] = std::pair(end_point.upper, end_point.lower);
-            return along(upper.y, upper.x, lower.y, lower.x, exact_.centre(row));
-        } else {
-            return Rational(end_point.x.value);
-        }
-    }
-    /// Where an active edge passes a pixel's centre, on its row: negative on the left.
-    static Sign exact_side(const auto& edge, int x, int row) {
-        return exact_orientation(edge.upper, edge.lower, Point<Given>{{x + 0.5}, {row + 0.5}});
-    }
-    /// Decides by the side of one centre: if the bounds are known, no more than one lies between them.
-    [[gnu::noinline]] static int exact_first_column(const auto& edge, int row, int low, int end) {
-        const auto [left, right] = interval_of(edge.x);
-        return first_not([&](int x) { return exact_side(edge, x, row) == Sign::positive; },
-                         machine_.first_centre(left, low, end), machine_.first_centre(right, low, end));
-    }
-    [[gnu::noinline]] static int exact_last_column(const auto& edge, int row, int low, int end) {
-        const auto [left, right] = interval_of(edge.x);
-        return first_not([&](int x) { return exact_side(edge, x, row) != Sign::negative; },
-                         machine_.last_centre(left, low, end) + 1, machine_.last_centre(right, low, end) + 1) -
-               1;
-    }
-    [[gnu::noinline]] static bool exactly_same_place(const auto& a, const auto& b, int row) {
-        return exact_x(a, row) == exact_x(b, row);
-    }
-    static Rational exact_slope(const auto& edge) {
-        return (Rational(edge.lower.x.value) - Rational(edge.upper.x.value)) /
-               (Rational(edge.lower.y.value) - Rational(edge.upper.y.value));
-    }
-
-    static constexpr NumberKernel<double> machine_{};
-    static constexpr Exact exact_{};
 
     double extent_ = 0;
     double cross_error_ = infinity;

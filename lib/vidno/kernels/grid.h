@@ -5,65 +5,22 @@
 /// enough that a double holds their cross products exactly, and 128 bits the comparison of two depths. Doubles decide the
 /// comparisons that need a division (an edge on a row, a depth) where the bound on their error allows it, otherwise the whole
 /// numbers decide.
-///
-/// Numbers  The scene is W < 2^24 grid steps across. A cross product is at most 2 W^2 < 2^49. A depth is N / c with
-///          |c| <= 2 W^2, twice the polygon's area, and |N| <= W^2 (2^25 + 2^27), so |N c'| < 2^125.
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "grid_plane.h"
+#include "grid_sides.h"
 #include "number_kernel.h"
 #include "plane_depths.h"
 
 namespace vidno {
 
-__extension__ using Int128 = __int128;
-
-inline constexpr int finest_grid = 20;        // the greatest K
-inline constexpr int grid_depth_bits = 24;    // z is a multiple of 2^-24
-inline constexpr double grid_width = 0x1p24;  // a scene has fewer steps across
-
-/// The origin of a scene's coordinates, and the steps of its grid.
-struct GridFrame {
-    double x = 0, y = 0;
-    double steps = 1;  // in a pixel
-
-    std::int64_t column(double at) const { return std::int64_t((at - x) * steps); }
-    std::int64_t row(double at) const { return std::int64_t((at - y) * steps); }
-};
-
-/// A polygon's plane, z = (x_factor column + y_factor row + rest) / (divisor 2^24).
-struct GridPlane : ApproximatePlane {
-    double a = 0, b = 0, c = 0, d = 0;                     // as the text has it
-    std::int64_t x_factor = 0, y_factor = 0, divisor = 0;  // divisor > 0
-    Int128 rest = 0;
-    GridFrame frame;
-
-    bool exactly_nearer(const GridPlane& than, double x, double y) const {
-        return scaled_depth(x, y) * than.divisor > than.scaled_depth(x, y) * divisor;
-    }
-
-private:
-    Int128 scaled_depth(double x, double y) const {
-        return Int128(x_factor) * frame.column(x) + Int128(y_factor) * frame.row(y) + rest;
-    }
-};
-
-/// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
-/// At least one of x and y is exact then, and the edge gives the other.
-struct GridVertex {
-    double x, y, z;
-    bool x_is_exact, y_is_exact;
-    const Vertex<double>* from;  // the edge that it is on, or that begins there
-    const Vertex<double>* to;
-};
-
-class Grid : public PlaneDepths<GridPlane, NoTally> {
+class Grid : public PlaneDepths<GridPlane, NoTally>, private GridSides {
 public:
     using Coordinate = double;
     using Number = double;
@@ -93,36 +50,8 @@ public:
     Sign sign(double cross) const { return machine_.sign(cross); }
     double cross(const auto& pivot, const auto& a, const auto& b) const { return machine_.cross(pivot, a, b); }
 
-    Plane plane(const vidno::Plane<double>& computed, const Vertices& v) {
-        Plane plane;
-        plane.a = computed.a;
-        plane.b = computed.b;
-        plane.c = computed.c;
-        plane.d = computed.d;
-        // The text's plane, Newell's sum about the first vertex, in whole numbers.
-        for (std::size_t i = 2; i < v.size(); ++i) {
-            const Corner p = corner(v[i - 1], v[0]);
-            const Corner q = corner(v[i], v[0]);
-            plane.divisor += p.x * q.y - p.y * q.x;
-            plane.x_factor += p.z * q.y - p.y * q.z;
-            plane.y_factor += p.x * q.z - p.z * q.x;
-        }
-        const int way_round = plane.divisor < 0 ? -1 : 1;
-        plane.divisor *= way_round;
-        plane.x_factor *= way_round;
-        plane.y_factor *= way_round;
-        plane.frame = frame_;
-        const auto z = std::int64_t(std::ldexp(v[0].z, grid_depth_bits));
-        plane.rest = Int128(plane.divisor) * z - Int128(plane.x_factor) * frame_.column(v[0].x) -
-                     Int128(plane.y_factor) * frame_.row(v[0].y);
-
-        const double scale = std::ldexp(frame_.steps, -grid_depth_bits) / double(plane.divisor);
-        plane.x_slope = double(plane.x_factor) * scale;
-        plane.y_slope = double(plane.y_factor) * scale;
-        plane.at_origin = v[0].z - plane.x_slope * v[0].x - plane.y_slope * v[0].y;
-        // About sixteen roundoffs of the sum of the terms.
-        plane.error = (1 + (std::abs(plane.x_slope) + std::abs(plane.y_slope)) * farthest_) * 0x1p-48;
-        return keep(plane, v);
+    Plane plane(const vidno::Plane<double>& computed, const Vertices& vertices) {
+        return keep(grid_plane(computed, vertices, frame_, farthest_), vertices);
     }
 
     bool outside(const Box<double>& box, const Window& window) const { return machine_.outside(box, window); }
@@ -142,15 +71,6 @@ public:
         return outline;
     }
 
-    /// (a - pivot) x (b - pivot) for the line along a side of a window: as computed, and its true sign.
-    struct SideCross {
-        double value;
-        Sign sign;
-        bool vertical;
-        double at;  // the x of a vertical side, the y of a level one
-
-        explicit operator double() const { return value; }
-    };
     Sign sign(const SideCross& cross) const { return cross.sign; }
 
     SideCross cross(const Point<double>& pivot, const GridVertex& a, const Point<double>& b) const {
@@ -251,56 +171,6 @@ public:
     }
 
 private:
-    struct Corner {
-        std::int64_t x, y, z;
-    };
-    Corner corner(const Vertex<double>& v, const Vertex<double>& from) const {
-        const auto steps = [](double difference, double in_one) { return std::int64_t(difference * in_one); };
-        return {steps(v.x - from.x, frame_.steps), steps(v.y - from.y, frame_.steps),
-                steps(v.z - from.z, std::ldexp(1, grid_depth_bits))};
-    }
-
-    /// The computed x, at a given y, of the line through two vertices with different y.
-    static double x_at(const auto& from, const auto& to, double y) {
-        return from.x + (y - from.y) * (to.x - from.x) / (to.y - from.y);
-    }
-
-    /// The sign of X - x, where X is the line's x at y; x and y are on the grid.
-    Sign sign_of_line(const auto& from, const auto& to, double x, double y) const {
-        const Sign turn = sign(cross(from, to, Point<double>{x, y}));
-        return from.y < to.y ? turn : -turn;
-    }
-
-    Sign sign_right_of(const GridVertex& v, double x) const {
-        return v.x_is_exact ? sign(v.x - x) : sign_of_line(*v.from, *v.to, x, v.y);
-    }
-    Sign sign_below(const GridVertex& v, double y) const {
-        if (v.y_is_exact) return sign(v.y - y);
-        const Sign turn = sign(cross(*v.from, *v.to, Point<double>{v.x, y}));
-        return v.from->x < v.to->x ? -turn : turn;
-    }
-    Sign sign_below(const Vertex<double>& v, double y) const { return sign(v.y - y); }
-
-    // A vertex that was not clipped is exact; the edge to the next vertex begins there.
-    static bool x_is_exact(const GridVertex& v) { return v.x_is_exact; }
-    static bool x_is_exact(const Vertex<double>&) { return true; }
-    static const Vertex<double>& from_of(const GridVertex& p, const GridVertex&) { return *p.from; }
-    static const Vertex<double>& to_of(const GridVertex& p, const GridVertex&) { return *p.to; }
-    static const Vertex<double>& from_of(const Vertex<double>& p, const Vertex<double>&) { return p; }
-    static const Vertex<double>& to_of(const Vertex<double>&, const Vertex<double>& q) { return q; }
-
-    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not vertical (or not level).
-    bool on_upright_line(const GridVertex& p, const GridVertex& q) const {
-        return (q.x_is_exact && sign_right_of(p, q.x) == Sign::zero) ||
-               (p.x_is_exact && sign_right_of(q, p.x) == Sign::zero);
-    }
-    bool on_level_line(const GridVertex& p, const GridVertex& q) const {
-        return (q.y_is_exact && sign_below(p, q.y) == Sign::zero) || (p.y_is_exact && sign_below(q, p.y) == Sign::zero);
-    }
-    static bool on_upright_line(const Vertex<double>& p, const Vertex<double>& q) { return p.x == q.x; }
-    static double x_of_line(const GridVertex& p, const GridVertex& q) { return p.x_is_exact ? p.x : q.x; }
-    static double x_of_line(const Vertex<double>& p, const Vertex<double>&) { return p.x; }
-
     // The answer of the double is off by at most one; the edge decides.
     int first_row(const auto& v, int low, int end) const {
         int row = first_centre(v.y, low, end);

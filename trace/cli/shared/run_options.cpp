@@ -101,9 +101,9 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());
     }
     if (!has_text(edition, method)) {
-        if (method == Method::weiler_atherton) throw Refused(named_method + ": only --edition corrected");
-        if (is_family(method)) {
-            throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
+        if (!is_of_course(method)) {
+            const std::string_view mistakes = is_family(method) ? ", and mistakes of this method alone" : "";
+            throw Refused(named_method + ": only --edition corrected" + std::string(mistakes));
         }
         throw refused_text(edition, [method](const auto& methods) {
             return std::find(methods.begin(), methods.end(), method) != methods.end();

@@ -22,12 +22,6 @@ export const appStyle = css`
   }
   vidno-page-header {
     grid-area: header;
-    padding-right: 5rem;
-  }
-  vidno-languages {
-    grid-area: header;
-    justify-self: end;
-    height: 3rem;
   }
   vidno-reader {
     grid-area: reader;
@@ -69,12 +63,10 @@ export const appStyle = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
-  vidno-run-words {
-    flex: 0 1 auto;
-  }
+  /* Without room for both, the name is cut before the algorithm. */
   @media (max-width: 1199px) {
-    vidno-run-words {
-      flex: none;
+    .title h2 {
+      flex-shrink: 1000;
     }
   }
   .offer {
@@ -152,12 +144,6 @@ export const appStyle = css`
       min-height: 100dvh;
       grid-template: 'header' auto 'main' 1fr / minmax(0, 1fr);
     }
-    vidno-languages {
-      height: 2.75rem;
-    }
-    vidno-page-header {
-      padding-right: 0;
-    }
     main {
       overflow: visible;
     }
@@ -208,7 +194,7 @@ export const appStyle = css`
     :host {
       --pad: 0px;
     }
-    :is(vidno-page-header, vidno-languages, vidno-notice) {
+    :is(vidno-page-header, vidno-notice) {
       padding-inline: 0.6rem;
     }
     vidno-comparison {
@@ -226,7 +212,7 @@ export const appStyle = css`
     height: 100dvh;
     padding: 0;
   }
-  :host([embed]) :is(vidno-page-header, vidno-languages, nav) {
+  :host([embed]) :is(vidno-page-header, nav) {
     display: none;
   }
   @media print {
@@ -238,7 +224,7 @@ export const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice) {
+    :is(vidno-page-header, vidno-divider, nav, vidno-notice) {
       display: none;
     }
     main {

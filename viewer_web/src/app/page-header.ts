@@ -22,7 +22,8 @@ interface Tool {
   readonly off?: boolean;
 }
 
-/** The line at the top of the page. An event `ask` carries the request of a button. */
+/** The line at the top of the page. It holds what is shown and, in the slot `languages`, the links to other languages. An event
+ * `ask` carries the request of a button. */
 @customElement('vidno-page-header')
 export class PageHeaderElement extends LitElement {
   static override styles = [
@@ -42,7 +43,7 @@ export class PageHeaderElement extends LitElement {
         border-color: var(--accent);
         background: var(--accent-wash);
       }
-      slot {
+      .subject {
         display: flex;
         flex: 1;
         min-width: 0;
@@ -61,6 +62,17 @@ export class PageHeaderElement extends LitElement {
       .more {
         display: none;
       }
+      @media (max-width: 1199px) {
+        header {
+          gap: 0.35rem;
+        }
+        button {
+          padding: 0 0.4rem;
+        }
+        .tools {
+          gap: 0;
+        }
+      }
       /* On a small screen the rarely used tools are hidden in a line of their own. */
       @media (max-width: 899px) {
         header {
@@ -74,20 +86,20 @@ export class PageHeaderElement extends LitElement {
         h1 {
           line-height: 2.75rem;
         }
-        slot {
-          order: 1;
+        .subject {
+          order: 2;
           flex: 1 0 100%;
           min-height: 0;
         }
         .more {
           display: block;
           margin-left: auto;
-          margin-right: 4.5rem;
         }
         .tools:not(.open) {
           display: none;
         }
         .tools {
+          order: 1;
           flex: 1 0 100%;
           flex-wrap: wrap;
           margin: 0;
@@ -122,7 +134,7 @@ export class PageHeaderElement extends LitElement {
       <h1>vidno</h1>
       ${this.button({ ask: 'contents', label: page.lessons, off: this.comparing }, this.contents)}
       ${this.text()}
-      <slot></slot>
+      <slot class="subject"></slot>
       <button
         class="more"
         aria-expanded=${this.isMore ? 'true' : 'false'}
@@ -135,6 +147,7 @@ export class PageHeaderElement extends LitElement {
       <div class="tools ${this.isMore ? 'open' : ''}">
         ${this.tools().map((each) => this.button(each))}
       </div>
+      <slot name="languages"></slot>
     </header>`;
   }
 

@@ -45,6 +45,18 @@ function isOf({ value: told, off }: Shown, right: number): boolean {
   return off > 0 && Math.abs(told - right) <= Math.max(off, 0.0005 * Math.abs(told));
 }
 
+/** Whether these numbers are stated. Both are rising. Exact numbers come first, since a shortened one may look like one of them. */
+function areThese(stated: readonly Shown[], right: readonly number[]): boolean {
+  const rest = [...right];
+  for (const exact of stated.filter(({ off }) => off === 0)) {
+    const place = rest.findIndex((each) => isOf(exact, each));
+    if (place < 0) return false;
+    rest.splice(place, 1);
+  }
+  const others = stated.filter(({ off }) => off > 0);
+  return others.length === rest.length && others.every((each, i) => isOf(each, rest[i] ?? NaN));
+}
+
 /** The error in a sentence that should state this, in words; null if there is none. */
 export function faultOf(
   sentence: string,
@@ -60,9 +72,7 @@ export function faultOf(
   if (foreign !== undefined) return `writes ${foreign} as another language does`;
   const stated = texts.map(shown).sort((a, b) => rising(a.value, b.value));
   const right = numbers.map(value).sort(rising);
-  const areRight =
-    stated.length === right.length && stated.every((each, i) => isOf(each, right[i] ?? NaN));
-  if (!areRight)
+  if (!areThese(stated, right))
     return `states ${stated.map((each) => each.value).join(' ')}, not ${right.join(' ')}`;
   const missing = says.find((each) => !each[language].test(sentence));
   return missing === undefined ? null : `does not say ${String(missing[language])}`;
