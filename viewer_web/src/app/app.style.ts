@@ -1,9 +1,12 @@
 import { css } from 'lit';
 import { leastPanel } from '../elements/least-picture.js';
+import { languages } from '../language/language.js';
 
 /** The header; below it the text, if there is one, and the run; over these, on demand, the lessons. */
 export const appStyle = css`
   :host {
+    /* The links to other languages: they come last for the keyboard, but have their place in the header. */
+    --languages: ${languages.length - 1};
     --pad: 0.75rem;
     --gap: 0.625rem;
     position: relative;
@@ -22,6 +25,12 @@ export const appStyle = css`
   }
   vidno-page-header {
     grid-area: header;
+    padding-right: calc(5rem * var(--languages));
+  }
+  vidno-languages {
+    grid-area: header;
+    justify-self: end;
+    height: 3rem;
   }
   vidno-reader {
     grid-area: reader;
@@ -144,6 +153,12 @@ export const appStyle = css`
       min-height: 100dvh;
       grid-template: 'header' auto 'main' 1fr / minmax(0, 1fr);
     }
+    vidno-languages {
+      height: 2.75rem;
+    }
+    vidno-page-header {
+      padding-right: 0;
+    }
     main {
       overflow: visible;
     }
@@ -194,7 +209,7 @@ export const appStyle = css`
     :host {
       --pad: 0px;
     }
-    :is(vidno-page-header, vidno-notice) {
+    :is(vidno-page-header, vidno-languages, vidno-notice) {
       padding-inline: 0.6rem;
     }
     vidno-comparison {
@@ -212,7 +227,7 @@ export const appStyle = css`
     height: 100dvh;
     padding: 0;
   }
-  :host([embed]) :is(vidno-page-header, nav) {
+  :host([embed]) :is(vidno-page-header, vidno-languages, nav) {
     display: none;
   }
   @media print {
@@ -224,7 +239,7 @@ export const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    :is(vidno-page-header, vidno-divider, nav, vidno-notice) {
+    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice) {
       display: none;
     }
     main {

@@ -354,14 +354,8 @@ export class AppElement extends LitElement implements Shown, Told {
         ?contents=${isAtContents}
         .keys=${this.setup.setting.keys}
         @ask=${({ detail }: CustomEvent<Asked>) => this.ask(detail)}
+        >${heading(session, this.name, language)}</vidno-page-header
       >
-        ${heading(session, this.name, language)}
-        <vidno-languages
-          slot="languages"
-          .chosen=${language}
-          @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
-        ></vidno-languages>
-      </vidno-page-header>
       <main>
         <h2 class="on-paper">${trace === null ? '' : this.name}</h2>
         ${notices(session, language)} ${failing(this)} ${alone(this)}
@@ -369,6 +363,11 @@ export class AppElement extends LitElement implements Shown, Told {
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>
       ${this.hasText ? reader(this) : nothing}
+      <vidno-languages
+        ?inert=${presenting}
+        .chosen=${language}
+        @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
+      ></vidno-languages>
       <nav ?inert=${presenting}>
         ${contents(this)}
         <vidno-file-drop

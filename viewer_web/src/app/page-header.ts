@@ -22,8 +22,7 @@ interface Tool {
   readonly off?: boolean;
 }
 
-/** The line at the top of the page. It holds what is shown and, in the slot `languages`, the links to other languages. An event
- * `ask` carries the request of a button. */
+/** The line at the top of the page. An event `ask` carries the request of a button. */
 @customElement('vidno-page-header')
 export class PageHeaderElement extends LitElement {
   static override styles = [
@@ -43,7 +42,7 @@ export class PageHeaderElement extends LitElement {
         border-color: var(--accent);
         background: var(--accent-wash);
       }
-      .subject {
+      slot {
         display: flex;
         flex: 1;
         min-width: 0;
@@ -86,20 +85,20 @@ export class PageHeaderElement extends LitElement {
         h1 {
           line-height: 2.75rem;
         }
-        .subject {
-          order: 2;
+        slot {
+          order: 1;
           flex: 1 0 100%;
           min-height: 0;
         }
         .more {
           display: block;
           margin-left: auto;
+          margin-right: calc(5rem * var(--languages));
         }
         .tools:not(.open) {
           display: none;
         }
         .tools {
-          order: 1;
           flex: 1 0 100%;
           flex-wrap: wrap;
           margin: 0;
@@ -134,7 +133,7 @@ export class PageHeaderElement extends LitElement {
       <h1>vidno</h1>
       ${this.button({ ask: 'contents', label: page.lessons, off: this.comparing }, this.contents)}
       ${this.text()}
-      <slot class="subject"></slot>
+      <slot></slot>
       <button
         class="more"
         aria-expanded=${this.isMore ? 'true' : 'false'}
@@ -147,7 +146,6 @@ export class PageHeaderElement extends LitElement {
       <div class="tools ${this.isMore ? 'open' : ''}">
         ${this.tools().map((each) => this.button(each))}
       </div>
-      <slot name="languages"></slot>
     </header>`;
   }
 
