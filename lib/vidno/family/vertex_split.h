@@ -15,7 +15,7 @@ namespace vidno {
 struct VertexSplit {
     template <class Run>
     static WindowParts split(Run& run, const Window& window,
-                                     const ActivePolygonList<typename Run::Arithmetic>& polygons) {
+                             const ActivePolygonList<typename Run::Arithmetic>& polygons) {
         using enum Line;
         auto& trace = run.trace;
         const auto& kernel = run.kernel;
