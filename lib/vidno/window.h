@@ -50,8 +50,8 @@ public:
     const Window* end() const { return parts_.data() + count_; }
 
 private:
-    std::array<Window, 4> parts_;
     std::size_t count_ = 0;
+    std::array<Window, 4> parts_;
 };
 
 /// The window with each side longer than 1 halved: four parts, two, or one.
