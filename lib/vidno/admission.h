@@ -195,15 +195,15 @@ public:
     /// Whether the outline is convex: the rule at the head of this file.
     bool is_once_around() const {
         if (sign_ == 0) return false;
-        std::map<std::pair<double, double>, std::ptrdiff_t> corner_at;
+        std::map<std::pair<double, double>, std::ptrdiff_t> number_at;
         for (std::size_t c = 0; c < corners_.size(); ++c) {
             const glm::dvec3& place = vertices_[corners_[c]];
-            corner_at[{place.x, place.y}] = std::ptrdiff_t(c);
+            number_at[{place.x, place.y}] = std::ptrdiff_t(c);
         }
         std::vector<std::ptrdiff_t> passed;
         for (const std::size_t i : outline_) {
-            const auto found = corner_at.find({vertices_[i].x, vertices_[i].y});
-            passed.push_back(found == corner_at.end() ? none : found->second);
+            const auto found = number_at.find({vertices_[i].x, vertices_[i].y});
+            passed.push_back(found == number_at.end() ? none : found->second);
         }
         const auto is_corner = [](std::ptrdiff_t c) { return c != none; };
         const auto start = std::find_if(passed.begin(), passed.end(), is_corner) - passed.begin();
@@ -253,6 +253,8 @@ private:
         add_chain(sorted.rbegin(), sorted.rend());
     }
 
+    const glm::dvec3& corner_at(std::ptrdiff_t corner) const { return vertices_[corners_[std::size_t(corner)]]; }
+
     bool near(const glm::dvec3& p, const glm::dvec3& q) const {
         const Vector<Exact> way = difference<Exact>(p, q);
         return within_tolerance<Exact>(squared(way.x) + squared(way.y), 1, box_).make_certain();
@@ -261,9 +263,8 @@ private:
     /// Whether each corner between two corners of the hull is within the tolerance of one of them.
     bool is_step(std::ptrdiff_t from, std::ptrdiff_t to) const {
         const std::ptrdiff_t count = std::ssize(corners_);
-        const auto place = [&](std::ptrdiff_t c) { return vertices_[corners_[std::size_t(c)]]; };
         for (std::ptrdiff_t c = (from + 1) % count; c != to; c = (c + 1) % count) {
-            if (!near(place(c), place(from)) && !near(place(c), place(to))) return false;
+            if (!near(corner_at(c), corner_at(from)) && !near(corner_at(c), corner_at(to))) return false;
         }
         return true;
     }
@@ -273,8 +274,7 @@ private:
     std::optional<std::ptrdiff_t> corners_ahead(std::ptrdiff_t from, std::ptrdiff_t to) const {
         const std::ptrdiff_t count = std::ssize(corners_), forward = (to - from + count) % count;
         if (forward == 0 || is_step(from, to)) return forward;
-        const auto place = [&](std::ptrdiff_t c) { return vertices_[corners_[std::size_t(c)]]; };
-        if (near(place(from), place(to)) && is_step(to, from)) return forward - count;
+        if (near(corner_at(from), corner_at(to)) && is_step(to, from)) return forward - count;
         return std::nullopt;
     }
 

@@ -6,7 +6,6 @@
 ///         double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>

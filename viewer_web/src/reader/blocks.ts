@@ -4,6 +4,7 @@ import './command.js';
 import { formula } from './formula.js';
 import { inlines, plainWords } from './inlines.js';
 import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';
+import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
 /** The blocks of a story, one below the other. */
@@ -49,7 +50,7 @@ function heading(block: Heading, telling: Telling): TemplateResult {
   const place = story.places.get(block) ?? '';
   const address = addressOf(lesson.id, place) ?? nothing;
   telling.terms?.forget();
-  const words = html`${inlines(block.text, { ...telling, terms: null })}
+  const words = html`${inlines(block.text, withoutTerms(telling))}
     <a class="anchor" href=${address} aria-label=${texts.linkHere(plainWords(block.text))}>#</a>`;
   return block.level === 2
     ? html`<h3 data-place=${place} tabindex="-1">${words}</h3>`
@@ -74,7 +75,7 @@ function figure({ caption, command, file }: Figure, telling: Telling): TemplateR
     html`<img src=${drawing} alt=${plainWords(caption)} />`;
   return html`<figure>
     ${svg === undefined ? nothing : image(telling.drawingOf(svg))}
-    <figcaption>${inlines(caption, { ...telling, terms: null })}</figcaption>
+    <figcaption>${inlines(caption, withoutTerms(telling))}</figcaption>
     <vidno-command small .text=${command} .texts=${telling.texts}></vidno-command>
   </figure>`;
 }

@@ -5,6 +5,7 @@ import { formula } from './formula.js';
 import { glued, withWholePoints } from './glue.js';
 import type { Glued } from './glue.js';
 import type { Inline, Inlines, PinLink } from './story.js';
+import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
 type Told = string | TemplateResult;
@@ -34,7 +35,7 @@ function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null):
     case 'lesson':
     case 'link':
       // A link is a control already, and contains no other.
-      return link(inline, inlines(inline.text, telling && { ...telling, terms: null }), telling);
+      return link(inline, inlines(inline.text, telling && withoutTerms(telling)), telling);
   }
 }
 

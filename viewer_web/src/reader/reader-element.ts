@@ -21,6 +21,7 @@ import { readerStyle } from './reader.style.js';
 import { ReadingPlace } from './reading-place.js';
 import type { Goal, Reached } from './reading-place.js';
 import type { LessonStory, Pin } from './story.js';
+import { withoutTerms } from './telling.js';
 
 /** The reader's place in the text, and whether it was reached by scrolling. */
 export type Read = Reached & { readonly isScrolled: boolean };
@@ -120,7 +121,7 @@ export class ReaderElement extends LitElement {
       drawingOf: (svg: string) => this.drawings.addressOf(svg),
     };
     return html`<article lang=${language}>
-      <h2>${inlines(story.title, { ...telling, terms: null })}</h2>
+      <h2>${inlines(story.title, withoutTerms(telling))}</h2>
       ${blocks(story.blocks, telling)} ${this.neighbours('long')}
     </article>`;
   }

@@ -19,3 +19,6 @@ export interface Telling {
   /** The address of a figure in SVG. */
   readonly drawingOf: (svg: string) => string;
 }
+
+/** The same where no term is explained: in a heading, a caption or a link. */
+export const withoutTerms = (telling: Telling): Telling => ({ ...telling, terms: null });
