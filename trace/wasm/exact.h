@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rounded_up.h"
-#include "short_gcd.h"
+#include "integer_gcd.h"
 #include "split_double.h"
 #include "vidno/admission.h"
 #include "vidno/kernels/filtered_regions.h"
