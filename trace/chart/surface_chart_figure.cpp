@@ -21,7 +21,7 @@ const InEachLanguage<SurfaceChartWords> surface_chart_words{
 namespace {
 
 /// Runs that are drawn in the same style. Each kernel has a colour, each knob and edition a shape.
-struct Series {
+struct SurfaceSeries {
     std::string_view kernel;
     Edition edition;
     std::optional<SamplingKnob> knob;
@@ -53,8 +53,8 @@ struct Series {
 };
 
 /// Over all runs of any surface.
-std::vector<Series> all_series() {
-    std::vector<Series> series;
+std::vector<SurfaceSeries> all_surface_series() {
+    std::vector<SurfaceSeries> series;
     for (const auto& choice : kernel_choices) {
         for (const Edition edition : {Edition::corrected, Edition::printed}) {
             if (choice.parameter || !choice.runs_floating_horizon(edition)) continue;
@@ -86,7 +86,7 @@ Plot plot_of(const SurfaceChart& surface, std::size_t cost, std::size_t error) {
         return found;
     };
     for (const auto& run : surface.runs) plot.errors.push_back(error_in(surface, run, error));
-    for (const auto& series : all_series()) {
+    for (const auto& series : all_surface_series()) {
         plot.marks.push_back(marks([&](const SurfaceChartRun& run) { return series.has(run.way); }));
     }
     plot.front = marks([&](const SurfaceChartRun& run) { return run.on_front[cost][error]; });
@@ -104,7 +104,7 @@ std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t 
                       .no_number = {},
                       .series = {},
                       .plain_costs = surface_cost_axes[cost].name == "time"};
-    for (const auto& series : all_series()) {
+    for (const auto& series : all_surface_series()) {
         of_plot.series.push_back({series.name(words), series.color(), series.point(), series.knob.has_value()});
     }
     std::vector<Plot> plots;

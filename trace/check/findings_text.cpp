@@ -104,9 +104,9 @@ void for_each_field(const FindingsHeader& header, const Finding& finding, auto&&
     field("operands", decision.operands);
 }
 
-constexpr std::array<std::string_view, 16> columns{"kind",   "step",  "at",    "procedure", "of",          "polygons",
-                                                   "pixels", "taken", "exact", "cause",     "coincidence", "computed",
-                                                   "gap",    "sign",  "ulps",  "off"};
+constexpr std::array<std::string_view, 16> column_names{
+    "kind",  "step",  "at",          "procedure", "of",  "polygons", "pixels", "taken",
+    "exact", "cause", "coincidence", "computed",  "gap", "sign",     "ulps",   "off"};
 
 /// In quotes where the format requires them.
 void append_cell(Text& out, std::string_view text) {
@@ -122,7 +122,7 @@ void append_cell(Text& out, std::string_view text) {
     out += '"';
 }
 
-// As plain text, for a cell.
+/// As plain text, for a cell.
 std::string plain(std::string_view text) { return std::string(text); }
 std::string plain(const std::vector<std::string_view>& items) {
     std::string all;
@@ -199,17 +199,18 @@ std::string findings_jsonl(const FindingsHeader& header, const std::vector<Findi
 
 std::string findings_csv(const FindingsHeader& header, const std::vector<Finding>& findings) {
     Text out;
-    for (const auto column : columns) {
+    for (const auto column : column_names) {
         out += column;
         out += ',';
     }
     out += "operands\n";
     for (const auto& finding : findings) {
-        std::array<std::string, columns.size()> cells;
+        std::array<std::string, column_names.size()> cells;
         std::string operands;
         for_each_field(header, finding, [&](std::string_view key, const auto& value) {
-            const auto column = std::find(columns.begin(), columns.end(), key);
-            (column == columns.end() ? operands : cells[std::size_t(column - columns.begin())]) = plain(value);
+            const auto column = std::find(column_names.begin(), column_names.end(), key);
+            (column == column_names.end() ? operands : cells[std::size_t(column - column_names.begin())]) =
+                plain(value);
         });
         for (const auto& cell : cells) {
             append_cell(out, cell);

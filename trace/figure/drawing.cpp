@@ -45,7 +45,7 @@ constexpr std::array<short, 64> cyrillic{
     688, 552, 556, 542, 556, 500, 458, 500, 823,  500, 573, 521, 802, 823, 625, 719, 521, 510, 750, 542};
 constexpr int wide = 1000, usual = 620, narrow = 400;
 
-int width_of(char32_t c) {
+int thousandths_of(char32_t c) {
     if (U' ' <= c && c <= U'~') return latin[c - U' '];
     if (U'А' <= c && c <= U'я') return cyrillic[c - U'А'];
     if (c == U'—' || c == U'…' || c == U'→') return wide;
@@ -114,7 +114,7 @@ std::string utf8(char32_t c) {
 
 double width_of(std::string_view text, double size, bool bold) {
     double thousandths = 0;
-    for (const char32_t c : characters_of(text)) thousandths += width_of(c);
+    for (const char32_t c : characters_of(text)) thousandths += thousandths_of(c);
     return thousandths / 1000 * (bold ? 1.08 : 1) * size / points_per_millimetre;
 }
 

@@ -7,7 +7,6 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double column_width = 80;  // millimetres
 constexpr Color upper_color{0x00, 0x72, 0xb2}, lower_color{0xd5, 0x5e, 0x00};
 
 Stroke upper_stroke(const Style& style) { return {deep(upper_color, style.greyscale), 1, {4, 1.5}}; }
@@ -59,7 +58,7 @@ void add_dot(Drawing& to, Point at, double reach, const Plane& plane, const Colo
 }
 
 /// The subject of the step.
-struct Marks {
+struct LineMarks {
     Drawing& to;
     const Plane& plane;
 
@@ -88,9 +87,8 @@ std::string flag_text(const std::string& x, const std::string& flag,
 }  // namespace
 
 Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
-    const double scale = column_width / area.width;
-    const Plane plane{area, scale, {-scale * area.x, -scale * area.y}, {0, 0, column_width, scale * area.height}};
-    Drawing drawing{column_width, plane.shown.height};
+    const Plane plane = plane_without_frame(area);
+    Drawing drawing{plane.shown.width, plane.shown.height};
     add_lines(drawing, joined(lines, plane), {ink, 0.5}, plane);
     return drawing;
 }
@@ -126,7 +124,7 @@ void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const 
         const double x = plane.at(looked->x, 0).x;
         add_lines(to, {{{x, area.y}, {x, area.bottom()}}}, {faint, 0.25, {2, 2}}, plane);
     }
-    if (moment.event()) moment.event()->visit(Marks{to, plane});
+    if (moment.event()) moment.event()->visit(LineMarks{to, plane});
 }
 
 Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {

@@ -35,6 +35,12 @@ Color deep(const Color& color, bool greyscale) {
 
 std::string tick_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
 
+Plane plane_without_frame(const Area& area) {
+    constexpr double width = 80;  // millimetres
+    const double scale = width / area.width;
+    return {area, scale, {-scale * area.x, -scale * area.y}, {0, 0, width, scale * area.height}};
+}
+
 Plane plane_in(const Area& area, double width, double most_height) {
     constexpr double margin = 0.04;  // of the longer side
     const double ticks_width =

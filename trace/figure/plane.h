@@ -46,6 +46,8 @@ private:
 inline constexpr double tick_size = 7;  // points
 std::string tick_text(int value);
 
+/// The plane of an area alone, without ticks or margin, as wide as a column of a journal.
+Plane plane_without_frame(const Area& area);
 /// The plane of an area in the given room, ticks included.
 Plane plane_in(const Area& area, double width, double most_height);
 /// The height of the drawing of a plane with its ticks.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double indent = 2.6;      // room for the arrow
 constexpr double base_below = 1.1;  // from the baseline of a line of text to its lower end
-constexpr double gap = 1.2;         // between columns
+constexpr double column_gap = 1.2;  // between columns
 constexpr double below_rule = 0.5;  // extra space below a rule
 
 /// Draws a rule. Returns the y of the next line.
@@ -53,7 +53,8 @@ Drawing drawn(const Table& table, double width, double letters) {
         drawing.add(Label{text, {x, y - base_below}, size, anchor, bold, ink});
     };
     const double note_width = letters * width_of(table.note, small_size);
-    put(fitted(table.title, (width - note_width - gap) / letters, text_size, true), 0, Anchor::start, text_size, true);
+    put(fitted(table.title, (width - note_width - column_gap) / letters, text_size, true), 0, Anchor::start, text_size,
+        true);
     if (!table.note.empty()) put(table.note, width, Anchor::end, small_size, false);
     y = rule(drawing, y, 0.75);
 
@@ -69,8 +70,8 @@ Drawing drawn(const Table& table, double width, double letters) {
             if (cell.square) {
                 drawing.add(rectangle({from, y - base_below - side, side, side}, *cell.square, Stroke{ink}));
             }
-            const double x = anchor == Anchor::end ? from + column - gap : from + shift;
-            put(fitted(cell.text, (column - gap - shift) / letters, size), x, anchor, size, false);
+            const double x = anchor == Anchor::end ? from + column - column_gap : from + shift;
+            put(fitted(cell.text, (column - column_gap - shift) / letters, size), x, anchor, size, false);
             from += column;
         }
     };

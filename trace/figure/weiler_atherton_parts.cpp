@@ -9,8 +9,6 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double column_width = 80;  // millimetres
-
 const ScenePolygon& polygon_of(const Scene& scene, PolygonPlace place) {
     return scene.polygons[std::size_t(place.index)];
 }
@@ -41,10 +39,8 @@ std::vector<Polyline> loops_of(const RegionLoops& region, const Plane& plane) {
 }
 
 Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scene) {
-    const Area& area = scene.area;
-    const double scale = column_width / area.width;
-    const Plane plane{area, scale, {-scale * area.x, -scale * area.y}, {0, 0, column_width, scale * area.height}};
-    Drawing drawing{column_width, plane.shown.height};
+    const Plane plane = plane_without_frame(scene.area);
+    Drawing drawing{plane.shown.width, plane.shown.height};
     drawing.add(rectangle(plane.shown, scene.background));
     for (const auto& [polygon, loops, region_area] : regions) {
         drawing.add(Path{loops_of(loops, plane), true, polygon_of(scene, polygon).color, Stroke{ink}});

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double page_width = 210, page_height = 297, margin = 18;
 constexpr double text_width = page_width - 2 * margin, text_bottom = page_height - margin;
-constexpr double gap = 5, heading_height = 7, title_size = 11;
-constexpr double half_width = (text_width - gap) / 2;
+constexpr double part_gap = 5, heading_height = 7, title_size = 11;
+constexpr double half_width = (text_width - part_gap) / 2;
 constexpr double vertex_row_height = 4.8;
 
 constexpr std::size_t most_pages_of_rows = 2;
@@ -66,7 +66,7 @@ private:
         const double right = page_width - margin;
         double y = margin;
         const std::string method(choice_of(run_.header().method).title.in(style_.language));
-        const double room = text_width - width_of(method, text_size) - gap;
+        const double room = text_width - width_of(method, text_size) - part_gap;
         put(fitted(scene().name, room, title_size, true), {margin, y}, title_size, Anchor::start, true);
         put(method, {right, y}, text_size, Anchor::end);
         y += 2;
@@ -76,7 +76,7 @@ private:
             put(std::string(words_.key), {margin, y}, title_size, Anchor::start, true);
         } else {
             add_line_for(words_.name, margin, margin + 0.68 * text_width, y);
-            add_line_for(words_.date, margin + 0.68 * text_width + gap, right, y);
+            add_line_for(words_.date, margin + 0.68 * text_width + part_gap, right, y);
         }
         const std::string number = std::string(words_.page) + " " + std::to_string(pages_.size());
         put(number, {right, page_height - margin / 2}, small_size, Anchor::end);
@@ -102,18 +102,18 @@ private:
 
     void add_scene() {
         add_heading(words_.scene, margin);
-        add_heading(words_.vertices, margin + half_width + gap);
+        add_heading(words_.vertices, margin + half_width + part_gap);
         y_ += heading_height;
-        page().place(drawn(vertices(), half_width, answered_), {margin + half_width + gap, y_});
+        page().place(drawn(vertices(), half_width, answered_), {margin + half_width + part_gap, y_});
         const Plane plane = plane_in(scene().area, half_width, half_width * 1.1);
         Drawing drawing{half_width, height_of(plane)};
         draw_picture(drawing, run_.start(), plane, style_);
         draw_scene(drawing, plane);
         draw_names(drawing, scene(), plane, style_);
         page().place(drawing, {margin, y_});
-        y_ += drawing.height + gap;
+        y_ += drawing.height + part_gap;
         put(fitted(std::string(words_.depth_rule), half_width, small_size), {margin, y_}, small_size);
-        y_ += gap / 2;
+        y_ += part_gap / 2;
         add_heading(words_.planes, margin);
         y_ += heading_height;
         const Form form = planes();

@@ -188,7 +188,7 @@ bool takes(Method method, const NamedKernel& kernel, const Series& series) {
            std::none_of(series.begin(), series.end(), [&](const Scene& scene) { return refusal_of(method, scene); });
 }
 
-Series snapped(Series series, int bits) {
+Series snapped_series(Series series, int bits) {
     for (auto& scene : series) scene = snapped_scene(scene, bits).scene;
     return series;
 }
@@ -233,7 +233,7 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
     // The exact pictures of the series before snapping, by reference method, since most methods paint the same.
     std::map<Method, Pictures> right_as_given;
     for (const auto& kernel : kernels) {
-        const Series own = kernel.snaps() ? snapped(series, kernel.parameter) : series;
+        const Series own = kernel.snaps() ? snapped_series(series, kernel.parameter) : series;
         std::map<Method, Pictures> right_of_own;
         auto& right = kernel.snaps() ? right_of_own : right_as_given;
         const auto right_of = [&](Method method) -> const Pictures& {
