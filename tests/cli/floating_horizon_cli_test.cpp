@@ -73,9 +73,9 @@ TEST_CASE("surfaces: diff prints where editions diverge, check prints what is wr
     REQUIRE(program("trace " + surface + " -o " + right).status == 0);
     REQUIRE(program("trace " + surface + " --edition printed -o " + printed).status == 0);
     CHECK(program("diff " + right + " " + right).status == 0);
-    const auto parted = program("diff " + right + " " + printed);
-    CHECK(parted.status == 1);
-    CHECK(has(parted.text, R"(the traces part at step 1
+    const auto difference = program("diff " + right + " " + printed);
+    CHECK(difference.status == 1);
+    CHECK(has(difference.text, R"(the traces differ from step 1 on
 - {"e":"horizons","at":"FH1"}
 + {"e":"horizons","at":"FH1","upper":16,"lower":0}
 )"));

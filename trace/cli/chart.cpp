@@ -93,7 +93,7 @@ int chart(const ChartOptions& options) {
 
 void add_chart(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("chart", "Chart what accuracy costs: every method, kernel and edition, and knobs");
+        *program.add_subcommand("chart", "Chart accuracy against cost for every method, kernel, edition and setting");
     const auto options = std::make_shared<ChartOptions>();
     command
         .add_option("SCENE", options->scenes,
@@ -103,11 +103,10 @@ void add_chart(CLI::App& program, int& status) {
     command.add_option("-o", options->output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")
         ->required();
     command.footer(
-        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; for surfaces samples a\n"
+        "Settings: bits of arithmetic, of the Z-buffer and of the grid, smallest window; for surfaces samples per\n"
         "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
         "exactly.\n"
-        "The page has all costs and errors to choose from, says which run is needed and why, and leads from each to\n"
-        "its replay.\n"
+        "The page offers every cost and error, says which run is needed and why, and links each run to its replay.\n"
         "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
         "          vidno chart lessons/surfaces/*.json -o surfaces.html");
     command.callback([options, &status] { status = chart(*options); });

@@ -197,8 +197,8 @@ void add_check(CLI::App& program, int& status) {
     command.add_option("--narrowest", options->narrowest, "How many of the narrowest decisions to list [20]")
         ->type_name("N");
     command.footer(
-        "A decision is wrong because it rounded, or because its numbers had drifted from those of the scene.\n"
-        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong, or a constructed\n"
+        "A decision is wrong because an operation rounded, or because its operands had drifted from the exact values.\n"
+        "Steps are counted at level signs. Exit status 1: a decision or a pixel is wrong, or a constructed\n"
         "point lies more than half a pixel from the exact one.");
     command.callback([options, &status] { status = check(*options); });
 }

@@ -42,7 +42,7 @@ int diff(const DiffOptions& options) {
         if (!a && !b) return 0;
         if (a == b) continue;
         progress.clear();
-        std::cout << "the traces part at step " << step << "\n- " << a.value_or("(the end)\n") << "+ "
+        std::cout << "the traces differ from step " << step << " on\n- " << a.value_or("(the end)\n") << "+ "
                   << b.value_or("(the end)\n");
         return 1;
     }
@@ -51,11 +51,11 @@ int diff(const DiffOptions& options) {
 }  // namespace
 
 void add_diff(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("diff", "Find the first step where two traces part");
+    auto& command = *program.add_subcommand("diff", "Find the first step at which two traces differ");
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->first, "A trace")->required();
     command.add_option("B", options->second, "Another trace, for example under another kernel")->required();
-    command.footer("Headers are not compared. Exit status 1: the traces part.");
+    command.footer("Headers are not compared. Exit status 1: the traces differ.");
     command.callback([options, &status] { status = diff(*options); });
 }
 

@@ -65,12 +65,13 @@ void add_homework(CLI::App& program, int& status) {
         ->check(CLI::Range(std::size_t{1}, most_exercises))
         ->capture_default_str();
     command.add_option("--seed", options->seed, "The seed; another one gives other scenes")->capture_default_str();
-    command.add_option("--method", options->method, "The algorithm by which they are equally hard")
+    command.add_option("--method", options->method, "The algorithm for which they are equally hard")
         ->check(CLI::IsMember(words(course_method_names)))
         ->capture_default_str();
     command.add_option("-o", options->output, "The folder, which must not exist yet: 01.json and so on")->required();
     command.footer(
-        "Equally hard: a run reaches the same lines of the listing and the same cases, as often within a tenth.\n"
+        "Equally hard: a run reaches the same lines of the listing and the same cases; each count differs by at most a "
+        "tenth.\n"
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
         "Exit status 1: fewer were found than requested.");
     command.callback([options, &status] { status = homework(*options); });

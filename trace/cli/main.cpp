@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     program.require_subcommand(0, 1);  // one; 0 so that a wrong name is reported before a missing one
     program.set_version_flag("--version", "vidno " VIDNO_VERSION);
     program.get_formatter()->column_width(28);
-    program.footer("vidno COMMAND --help says more. Exit status: 0 done; 1 done, and something was found; 2 refused.");
+    program.footer("See vidno COMMAND --help. Exit status: 0 done; 1 done, and something was found; 2 refused.");
     int status = 0;
     for (const auto& add : vidno::cli::commands) add(program, status);
 

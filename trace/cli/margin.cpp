@@ -53,12 +53,12 @@ void add_margin(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("margin", "Find where a vertex may be moved without changing a sign of a step");
     const auto options = std::make_shared<MarginOptions>();
-    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm",
+    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm [warnock]",
                     words(method_names));
     command
         .add_option("--step", options->step,
-                    "A step with a sign, in a trace of level signs: in a test whether a polygon "
-                    "surrounds a point, or where one is clipped")
+                    "A step with a sign, counted at level signs: in SurroundTest, PolygonClip, "
+                    "TrialFunction, RayCrossings or OctantAngles")
         ->required();
     command.add_option("--vertex", options->vertex, "The vertex, from 0: A.2 is the third of the polygon A")
         ->required();

@@ -39,7 +39,7 @@ int need(const NeedOptions& options) {
 
 void add_need(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("need", "Find out how little of a scene, and of arithmetic, its picture needs");
+        *program.add_subcommand("need", "Find the least of a scene, and of arithmetic, that its picture needs");
     const auto options = std::make_shared<NeedOptions>();
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();

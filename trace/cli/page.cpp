@@ -122,7 +122,7 @@ void add_page(CLI::App& program, int& status) {
     command.footer(
         "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
         "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
-        "Exit status 1: a trace was cut short or is partial; the page has what there is of it.");
+        "Exit status 1: a trace was cut short or is partial; the page contains the part that exists.");
     command.callback([options, &status] { status = page(*options); });
 }
 

@@ -222,10 +222,10 @@ std::string footer() {
                     change from one step to the next though they do not in the exact picture
   changed           vertices started elsewhere or reversed, polygons reordered, all shifted by whole pixels or
                     doubled: how many pixels change though they do not in the exact picture
-  grown             scene and area, from 8 to 256 pixels a side: how many windows, and how many times those of half the
-                    side: 2 is the growth of a length, 4 that of an area
-Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. The errors of the
-other kernels are what it looks for.
+  grown             scene and area, from 8 to 256 pixels a side: how many windows, relative to half the side: a factor
+                    of 2 is the growth of a length, 4 that of an area
+Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. Errors of the
+other kernels are results, not failures.
 Examples:
   vidno stability --count 1000 -o all.jsonl
   parallel vidno stability --count 1000 --shard {}/8 -o part{}.jsonl ::: 1 2 3 4 5 6 7 8
@@ -265,14 +265,14 @@ void add_stability(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
     const auto options = std::make_shared<StabilityOptions>();
     auto& campaign = options->campaign;
-    command.add_option("--family", campaign.families, "The kinds of scenes [the first nine]: see below; or all");
+    command.add_option("--family", campaign.families, "Families of scenes, see below; or all [the first nine]");
     command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
         ->check(a_kernel());
     auto methods = all_methods();
     methods.emplace_back("all");
     command
         .add_option("--method", campaign.methods,
-                    "Which algorithm [warnock, zbuffer]; or all, each under the kernels that run it")
+                    "Algorithms; or all, each under the kernels that run it [warnock, zbuffer]")
         ->check(CLI::IsMember(methods));
     command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of expensive ones")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))

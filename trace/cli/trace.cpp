@@ -67,7 +67,7 @@ int trace(TraceOptions options) {
 }  // namespace
 
 void add_trace(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("trace", "Run a method and write down every step");
+    auto& command = *program.add_subcommand("trace", "Run a method and record every step");
     const auto options = std::make_shared<TraceOptions>();
     add_any_run_options(command, *options);
     command.add_option("--detail", options->detail, "How much: each level adds events to the one before")

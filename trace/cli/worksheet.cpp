@@ -107,10 +107,10 @@ void add_worksheet(CLI::App& program, int& status) {
     command.add_option("--language", options->language, "The language of its words")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
-    command.add_option("--method", options->method, "For .pdf: which algorithm is worked [warnock]")
+    command.add_option("--method", options->method, "For .pdf: the algorithm to work through [warnock]")
         ->check(CLI::IsMember(words(course_method_names)));
     command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
-    command.add_option("--count", options->count, "For .xml: the most questions, spread over the run's kinds [20]")
+    command.add_option("--count", options->count, "For .xml: how many questions at most, spread over the kinds [20]")
         ->check(CLI::Range(1, 9999));
     command
         .add_option("-o", options->output,

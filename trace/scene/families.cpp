@@ -177,7 +177,7 @@ const std::array<Family, 12> families{{
     {"edges", "triangles with an edge through pixel centres", edge_through_centres},
     {"vertices", "triangles with their vertices on pixel centres", vertices_on_centres},
     {"collinear", "boxes with collinear and repeated vertices", collinear},
-    {"steep", "triangles all but edge-on", nearly_edge_on},
+    {"steep", "triangles that are nearly edge-on", nearly_edge_on},
     {"touching", "triangles with a vertex on another one's edge", touching},
     {"shared-edges", "triangles with a part of an edge in common", shared_edges},
     {"octants", "triangles with their vertices in line with the corners of windows", octants},

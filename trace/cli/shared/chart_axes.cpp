@@ -42,7 +42,7 @@ void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost) {
     };
     command.add_option("--cost", axes.cost, cost)
         ->check(CLI::IsMember(all(names_of(cost_axes), names_of(surface_cost_axes))));
-    command.add_option("--error", axes.error, "And the vertical axis [wrongPixels; for surfaces wrongColumns]")
+    command.add_option("--error", axes.error, "The vertical axis [wrongPixels; for surfaces wrongColumns]")
         ->check(CLI::IsMember(all(names_of(error_axes), names_of(surface_error_axes))));
 }
 

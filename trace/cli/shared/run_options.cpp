@@ -36,11 +36,11 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
 }
 
 void add_any_run_options(CLI::App& command, RunOptions& options) {
-    add_run_options(command, options,
-                    "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it "
-                    "fails unless "
-                    "options say otherwise; - for standard input",
-                    "Which algorithm [warnock; for a surface floating-horizon]", all_methods());
+    add_run_options(
+        command, options,
+        "A scene file, vidno-scene/1 or vidno-surface/1; or a failure, vidno-failure/1, whose failing run is "
+        "the default; - for standard input",
+        "Which algorithm [warnock; for a surface floating-horizon]", all_methods());
 }
 
 namespace {
