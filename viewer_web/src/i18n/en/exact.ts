@@ -99,7 +99,7 @@ export const exact: ExactTexts = {
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:
     'There is no map of this decision: signs and comparisons of two polygons’ depths have one, but not with all kinds of numbers.',
-  drawing: 'Asking at each neighbour…',
+  drawing: 'Computing at each neighbour…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,
   drifted:

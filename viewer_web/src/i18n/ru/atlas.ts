@@ -14,7 +14,7 @@ export const atlas: AtlasTexts = {
     test: 'без сцены',
   },
   noScene: 'сценой не показать',
-  remedy: 'Средство',
+  remedy: 'Исправление',
   at: (step, there) => `Шаг ${step}: ${there}`,
   goTo: 'К шагу',
   compare: 'Сравнить с исправленным',

@@ -91,7 +91,7 @@ export const exact: ExactTexts = {
     },
     pixels: (off) => `${off} пикс.`,
     gap: (computed, exactly) => `Разность вычислена: ${computed}; точно: ${exactly}`,
-    decides: (pixels) => `Решает о пикселях ${pixels}`,
+    decides: (pixels) => `Определяет пиксели ${pixels}`,
   },
   margin: {
     edge: (edge, at) => `ребро ${edge} через ${at}`,
@@ -107,7 +107,7 @@ export const exact: ExactTexts = {
   apart: (ulp) => `Клетка — соседнее число, шаг ${ulp}.`,
   noLens:
     'Карты этого решения нет: она бывает у знака и у сравнения глубин двух многоугольников, но не при всех видах чисел.',
-  drawing: 'Спрашиваем у каждого соседа…',
+  drawing: 'Вычисляется для каждого соседнего числа…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Верно во всех ${all} местах.` : `Неверно в ${wrong} из ${all} мест.`,
   drifted:
