@@ -194,6 +194,32 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
         const auto change = [](event::AelStep& e) { return e.x = e.x.number + 1, true; };
         CHECK(symptom(with_changed<event::AelStep>(scene, Method::zbuffer, change)) == Symptom::edge);
     }
+    SUBCASE("the number of a side that clips") {
+        const auto change = [](event::ClipSide& e) { return e.side = 2, true; };
+        CHECK(wrong_of(with_changed<event::ClipSide>(scene, Method::warnock, change)).find("by its place, and") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("Judging: the rows at which edges begin and have ended are those of their ends") {
+    // The square from y = 1 to 7: its lower side begins at row 7, and at row 7 its left and right sides have ended.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 6, 7, .25).build();
+    const auto wrong = [&]<class E>(double by) {
+        const auto change = [&](E& e) { return e.next = e.next.number + by, true; };
+        return wrong_of(with_changed<E>(scene, Method::zbuffer, change));
+    };
+    CHECK(wrong.operator()<event::Leave>(0) == "right");
+    CHECK(wrong.operator()<event::Leave>(1) ==
+          "Z10: the next edges of S begin at row 8: the highest of them begins at y = 7");
+    CHECK(wrong.operator()<event::Leave>(-1) ==
+          "Z10: the next edges of S begin at row 6: the highest of them begins at y = 7");
+    CHECK(wrong.operator()<event::AelSort>(1) ==
+          "Z12: the first edge of AEL has ended at row 8: that edge goes down to y = 7");
+    CHECK(wrong.operator()<event::AelSort>(-1) ==
+          "Z12: the first edge of AEL has ended at row 6: that edge goes down to y = 7");
+    const auto never = [](event::AelDrop& e) { return e.next = 7, true; };
+    CHECK(wrong_of(with_changed<event::AelDrop>(scene, Method::zbuffer, never)) ==
+          "Z16: the first edge of AEL has ended at row 7: AEL is empty");
 }
 
 TEST_CASE("Judging: the printed text is wrong where its defect X-W1 shows") {
