@@ -60,6 +60,12 @@ void WeilerAthertonJudge::judge(const event::Behind& e) {
     judge_depth(e.polygon.index, e.point.x.number, e.point.y.number, e.z.number);
     judge_depth(e.clip.index, e.point.x.number, e.point.y.number, e.clip_z.number);
     judge_order(e.z.number, e.clip_z.number, e.order);
+    if (e.behind == (e.z.number < e.clip_z.number) || truth().nearly_equal(e.z.number, e.clip_z.number)) return;
+    throw False{
+        Symptom::comparison,
+        e.behind ? say({"{} is hidden by {}", "{} закрыт {}"}, id(e.polygon.index), id(e.clip.index))
+                 : say({"{} is not hidden by {}", "{} не закрыт {}"}, id(e.polygon.index), id(e.clip.index)),
+        say({"its depth is {}, the other's {}", "его глубина {}, а другого — {}"}, e.z.number, e.clip_z.number)};
 }
 
 void WeilerAthertonJudge::judge(const event::Order& e) {
