@@ -528,9 +528,8 @@ TEST_CASE("Judging curves: a changed claim is the one that the judge finds") {
             return line && line->from.y.number == 8 && line->to.y.number == 9;
         };
         std::erase_if(run.events, is_low);
-        CHECK(
-            wrong_of(judgement_of(run))
-                .ends_with("curve 2 is done, and nothing of it is drawn at x = 7.5: it is visible there, at y = 8.5"));
+        CHECK(wrong_of(judgement_of(run))
+                  .ends_with("curve 2 is done, and it is not drawn at x = 7.5: it is visible there, at y = 8.5"));
     }
     SUBCASE("a horizon that is not raised") {
         const auto change = [](event::Horizon& e) {

@@ -43,8 +43,7 @@ void FloatingHorizonJudge::judge_drawn(int curve) const {
     if (const auto x = truth_.left_out(curve, parts)) {
         throw False{
             Symptom::visibility,
-            say({"curve {} is done, and nothing of it is drawn at x = {}",
-                 "кривая {} готова, а при x = {} она не нарисована"},
+            say({"curve {} is done, and it is not drawn at x = {}", "кривая {} готова, а при x = {} она не нарисована"},
                 curve, *x),
             say({"it is visible there, at y = {}", "там она видна, y = {}"}, truth_.height(curve, *x).value_or(0)),
             last_step_};
