@@ -334,7 +334,6 @@ TEST_CASE("Judging: a line at which the printed text fails is a false claim") {
 }
 
 TEST_CASE("Judging Weiler and Atherton: our own certain runs are right on the scenes for students, at every level") {
-    // Our runs in `double` are called wrong on three of these scenes. Rounding is the likely cause, but it was not traced.
     for (const AdmittedScene& scene : scenes_to_grade()) {
         CAPTURE(scene->name);
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
@@ -342,6 +341,21 @@ TEST_CASE("Judging Weiler and Atherton: our own certain runs are right on the sc
             CHECK(wrong_of(judgement_of(run)) == "right");
         }
     }
+}
+
+TEST_CASE("Judging Weiler and Atherton: our own runs in double are wrong only where rounding loses a part") {
+    std::vector<std::string> wrong_scenes;
+    for (const AdmittedScene& scene : scenes_to_grade()) {
+        CAPTURE(scene->name);
+        const std::string wrong = wrong_of(judgement_of(run_of(scene, Method::weiler_atherton, "double")));
+        if (wrong == "right") continue;
+        CHECK(wrong.ends_with("an outline does not close"));
+        wrong_scenes.push_back(scene->name);
+    }
+    // In exact arithmetic the runs of these scenes are right, and so is a program in `double` that keeps the vertices which its pieces share
+    // (right/weiler_atherton.cpp).
+    CHECK(wrong_scenes ==
+          std::vector<std::string>{"Eight pieces", "Through the one that surrounds", "An area of 16 x 3"});
 }
 
 TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judge finds") {

@@ -25,7 +25,7 @@ struct HorizonPair {
 };
 
 /// An open interval of x.
-struct Interval {
+struct Stretch {
     Rational first, last;
 };
 
@@ -37,22 +37,22 @@ struct Linear {
 };
 
 /// The part of 0 < t < 1 where the function exceeds the bound; none if it is empty.
-std::optional<Interval> where_above(const Linear& f, const Rational& bound) {
+std::optional<Stretch> where_above(const Linear& f, const Rational& bound) {
     const Rational first = f.at_first - bound, last = f.at_last - bound;
     if (first <= 0 && last <= 0) return std::nullopt;
-    if (first >= 0 && last >= 0) return Interval{0, 1};
+    if (first >= 0 && last >= 0) return Stretch{0, 1};
     const Rational zero = first / (first - last);
-    return first > 0 ? Interval{0, zero} : Interval{zero, 1};
+    return first > 0 ? Stretch{0, zero} : Stretch{zero, 1};
 }
 
-std::optional<Interval> common(const std::optional<Interval>& a, const std::optional<Interval>& b) {
+std::optional<Stretch> common(const std::optional<Stretch>& a, const std::optional<Stretch>& b) {
     if (!a || !b) return std::nullopt;
-    Interval both{std::max(a->first, b->first), std::min(a->last, b->last)};
+    Stretch both{std::max(a->first, b->first), std::min(a->last, b->last)};
     return both.first < both.last ? std::optional(both) : std::nullopt;
 }
 
 /// An x near the middle, with few digits if possible.
-double middle_of(const Interval& part) {
+double middle_of(const Stretch& part) {
     const double middle = CGAL::to_double(Rational((part.first + part.last) / 2));
     const double rounded = std::round(middle * 64) / 64;
     return part.first < Rational(rounded) && Rational(rounded) < part.last ? rounded : middle;
@@ -153,7 +153,7 @@ struct CurveTruth::Exactly {
     }
 
     /// Between a column and the next, where the curve is surely hidden.
-    std::optional<Interval> hidden(int curve, int x) const {
+    std::optional<Stretch> hidden(int curve, int x) const {
         const auto above = beyond(curve, Side::upper, x), below = beyond(curve, Side::lower, x);
         if (!above || !below) return std::nullopt;
         const auto short_of = [&](const Linear& f) { return where_above({-f.at_first, -f.at_last}, slack); };
@@ -161,8 +161,8 @@ struct CurveTruth::Exactly {
     }
 
     /// The same, where it is surely visible: above, and below.
-    std::array<std::optional<Interval>, 2> visible(int curve, int x) const {
-        if (!has_horizon(curve, x) && !has_horizon(curve, x + 1)) return {Interval{x, x + 1}, std::nullopt};
+    std::array<std::optional<Stretch>, 2> visible(int curve, int x) const {
+        if (!has_horizon(curve, x) && !has_horizon(curve, x + 1)) return {Stretch{x, x + 1}, std::nullopt};
         const auto above = beyond(curve, Side::upper, x), below = beyond(curve, Side::lower, x);
         if (!above || !below) return {};
         return {moved(where_above(*above, slack), x), moved(where_above(*below, slack), x)};
@@ -175,18 +175,18 @@ struct CurveTruth::Exactly {
         return !upper || over(curve, x) < *upper - slack || over(curve, x) > *lower + slack;
     }
 
-    static std::optional<Interval> moved(std::optional<Interval> part, int by) {
-        if (part) part = Interval{part->first + by, part->last + by};
+    static std::optional<Stretch> moved(std::optional<Stretch> part, int by) {
+        if (part) part = Stretch{part->first + by, part->last + by};
         return part;
     }
 
     /// The drawn parts from left to right, longer at both ends by the tolerance, joined where they overlap.
-    std::vector<Interval> widened(const DrawnParts& drawn) const {
-        std::vector<Interval> parts;
+    std::vector<Stretch> widened(const DrawnParts& drawn) const {
+        std::vector<Stretch> parts;
         for (const auto& [from, to] : drawn) parts.push_back({Rational(from) - x_slack, Rational(to) + x_slack});
         std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        std::vector<Interval> joined;
-        for (const Interval& part : parts) {
+        std::vector<Stretch> joined;
+        for (const Stretch& part : parts) {
             if (!joined.empty() && part.first <= joined.back().last) {
                 joined.back().last = std::max(joined.back().last, part.last);
             } else {
@@ -197,15 +197,15 @@ struct CurveTruth::Exactly {
     }
 
     /// A part of an interval that lies in none of the parts, which are in order and apart.
-    static std::optional<Interval> outside(const Interval& wanted, const std::vector<Interval>& parts) {
+    static std::optional<Stretch> outside(const Stretch& wanted, const std::vector<Stretch>& parts) {
         Rational reached = wanted.first;
-        for (const Interval& part : parts) {
+        for (const Stretch& part : parts) {
             if (part.last <= reached) continue;
-            if (part.first > reached) return Interval{reached, std::min(part.first, wanted.last)};
+            if (part.first > reached) return Stretch{reached, std::min(part.first, wanted.last)};
             reached = part.last;
             if (reached >= wanted.last) return std::nullopt;
         }
-        return Interval{reached, wanted.last};
+        return Stretch{reached, wanted.last};
     }
 };
 
@@ -305,7 +305,7 @@ bool CurveTruth::may_be_left_out(int curve, double x) const {
 }
 
 std::optional<double> CurveTruth::hidden_between(int curve, double from, double to) const {
-    const Interval drawn{Rational(from) + exactly_->x_slack, Rational(to) - exactly_->x_slack};
+    const Stretch drawn{Rational(from) + exactly_->x_slack, Rational(to) - exactly_->x_slack};
     const int first = std::max(exactly_->first(curve), int(std::floor(from)));
     const int last = std::min(exactly_->last(curve), int(std::ceil(to)));
     for (int x = first; x < last; ++x) {
@@ -315,10 +315,10 @@ std::optional<double> CurveTruth::hidden_between(int curve, double from, double 
 }
 
 std::optional<double> CurveTruth::left_out(int curve, const DrawnParts& drawn) const {
-    const std::vector<Interval> parts = exactly_->widened(drawn);
+    const std::vector<Stretch> parts = exactly_->widened(drawn);
     const auto is_drawn = [&](int x) {
         return std::any_of(parts.begin(), parts.end(),
-                           [&](const Interval& part) { return part.first <= x && Rational(x) <= part.last; });
+                           [&](const Stretch& part) { return part.first <= x && Rational(x) <= part.last; });
     };
     for (int x = exactly_->first(curve); x <= exactly_->last(curve); ++x) {
         if (exactly_->is_visible(curve, x) && !is_drawn(x)) return x;
@@ -332,7 +332,7 @@ std::optional<double> CurveTruth::left_out(int curve, const DrawnParts& drawn) c
 }
 
 bool CurveTruth::leaves_out_touching(int curve, const DrawnParts& drawn) const {
-    const std::vector<Interval> parts = exactly_->widened(drawn);
+    const std::vector<Stretch> parts = exactly_->widened(drawn);
     for (int x = exactly_->first(curve); x < exactly_->last(curve); ++x) {
         for (const Side side : {Side::upper, Side::lower}) {
             const auto beyond = exactly_->beyond(curve, side, x);

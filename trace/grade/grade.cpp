@@ -50,17 +50,22 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
 }
 
-/// Judges all runs of one program, which was to draw so many scenes.
-ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Grading& grading) {
-    ProgramGrade grade;
-    grade.given = given;
+/// The precision of the program that made these runs.
+Precision precision_of(const std::vector<SceneGrade>& runs) {
     std::vector<const std::vector<Event>*> traces;
     bool says_single = false;
     for (const auto& [scene, run, judgement, not_judged] : runs) {
         traces.push_back(&run.events);
         says_single = says_single || (run.header && kernel_of(*run.header) == "float");
     }
-    grade.precision = precision_of(traces, says_single);
+    return precision_of(traces, says_single);
+}
+
+/// Judges all runs of one program, which was to draw so many scenes.
+ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Grading& grading) {
+    ProgramGrade grade;
+    grade.given = given;
+    grade.precision = precision_of(runs);
     std::vector<Observation> observed;
     for (auto& each : runs) {
         judge_run(each, grade.precision, grading.say);
@@ -115,7 +120,7 @@ ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToG
         if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
         if (!grading.first_only) continue;
         SceneGrade judged_alone = runs.back();
-        judge_run(judged_alone, Precision::twice, grading.say);
+        judge_run(judged_alone, precision_of(runs), grading.say);
         if (!judged_alone.right()) break;
     }
     return judged(std::move(runs), drawn->size(), grading);

@@ -22,6 +22,16 @@ double twice_area(const Convex& outline) {
 /// Areas below this are gaps that rounding leaves between pieces.
 const double least_area = 1e-9;
 
+/// The outline without vertices that are as good as the one before: the line through two such vertices could have any direction.
+Convex without_repeats(const Convex& outline) {
+    Convex kept;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point p = outline[i], q = outline[(i + 1) % outline.size()];
+        if (std::abs(p.x - q.x) + std::abs(p.y - q.y) > least_area) kept.push_back(p);
+    }
+    return kept;
+}
+
 /// The part of an outline where `value`, a linear function of a point, is not negative; empty if it has no area.
 template <class Value>
 Convex half_of(const Convex& outline, const Value& value) {
@@ -35,6 +45,7 @@ Convex half_of(const Convex& outline, const Value& value) {
             kept.push_back({p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t});
         }
     }
+    kept = without_repeats(kept);
     return twice_area(kept) < least_area ? Convex{} : kept;
 }
 
