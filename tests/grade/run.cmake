@@ -192,6 +192,7 @@ function(must_have_defect defect)
     grade_changed(${defect} floating_horizon ${ARGN})
     must_say(${defect} 1 "It behaves like the defect ${defect} of the printed text")
 endfunction()
+must_have_defect(X-H1 "below = !lower.is || y >= lower.y" "below = !lower.is")
 must_have_defect(X-H2 "intersection(from, to, x, next, is)" "intersection(from, to, x, next, was == 0 ? 1 : is)")
 must_have_defect(X-H3 "upper_(std::size_t(area_.width), Cell{false, 0})"
                  "upper_(std::size_t(area_.width), Cell{true, double(area_.y + area_.height)})"
@@ -199,7 +200,6 @@ must_have_defect(X-H3 "upper_(std::size_t(area_.width), Cell{false, 0})"
 must_have_defect(X-H5 "const int next = x + 1" "const int next = to.x")
 must_have_defect(X-H6 "above && below ? 2" "above && below ? 1")
 must_be_called_wrong(no_side_edges floating_horizon "        if (first <= last) raise" "        if (false) raise")
-must_be_called_wrong(upper_horizon_alone floating_horizon "below = !lower.is || y >= lower.y" "below = !lower.is")
 must_be_called_wrong(nearest_column floating_horizon "return {x + t, y + (next_y - y) * t}"
                      "return t < 0.5 ? Place{double(x), y} : Place{x + 1.0, next_y}")
 must_be_called_wrong(horizon_not_raised floating_horizon "raise(from, to, int(std::ceil(first.x)), int(std::floor(last.x)))"
