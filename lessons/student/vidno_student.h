@@ -1021,8 +1021,9 @@ public:
     }
     /// In RemoveBehind: the depths of a part inside and of the clip piece at a point, and whether the part is hidden.
     void behind(int polygon, double x, double y, double z, double clip_z, bool is_behind) {
-        if (!begin("behind", polygon) || !run(remove_behind, "WA7")) return;
+        if (!begin("behind", polygon)) return;
         if (hidden_ == inside_) return complain("no part inside is left");
+        if (!run(remove_behind, "WA7")) return;
         ++hidden_;
         tell(Detail::polygons, "behind", "RB3", "polygon", id(polygon), "clip", id(current_[0].polygon), "point",
              list(x, y), "z", z, "clipZ", clip_z, "order", (z > clip_z) - (z < clip_z), "behind", is_behind);
@@ -1140,7 +1141,7 @@ public:
     }
     /// Result of Visibility: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 both of the first two.
     void visibility(int x, int flag) {
-        if (!looks("visibility", x)) return;
+        if (!is_on_curve("visibility", x, x)) return;
         if (flag < -1 || flag > 2) return complain("a flag is -1, 0, 1 or 2");
         if (!end(visibility_of_point, looked_at())) return;
         was_ = is_;

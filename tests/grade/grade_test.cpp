@@ -212,8 +212,9 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
     }
     SUBCASE("the number of a side that clips") {
         const auto change = [](event::ClipSide& e) { return e.side = 2, true; };
-        CHECK(wrong_of(with_changed<event::ClipSide>(scene, Method::warnock, change)).find("by its place, and") !=
-              std::string::npos);
+        CHECK(
+            wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change)).find("by its place, and") !=
+            std::string::npos);
     }
 }
 
@@ -381,6 +382,11 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
     SUBCASE("which of two depths is nearer") {
         const auto change = [](event::Behind& e) { return e.order = -e.order, true; };
         CHECK(wrong.operator()<event::Behind>(change).ends_with("the greater z is the nearer"));
+    }
+    SUBCASE("whether a part is hidden") {
+        const auto change = [](event::Behind& e) { return e.behind = !e.behind, true; };
+        CHECK(wrong.operator()<event::Behind>(change) ==
+              "RB3: A is not hidden by B: its depth is 0.125, the other's 0.5");
     }
     SUBCASE("a depth") {
         const auto change = [](event::Behind& e) { return e.z = e.z.number + .0625, true; };

@@ -77,7 +77,19 @@ set(complaints
     "8, pixel: pixels outside the area"
     "10, scanline: ShowLine has not told its result, `span`"
     "12, pixel: `span` comes before another row"
-    "15, clear: the trace is closed")
+    "15, clear: the trace is closed"
+    "2, pop_list: the stack of lists is empty"
+    "3, push_list: an empty list"
+    "4, push_list: the scene has no polygon 7"
+    "7, clipped: not the next piece of the current list"
+    "8, behind: no part inside is left"
+    "10, row: pixels outside the area"
+    "2, draw: `curve` comes before"
+    "3, curve: the surface has no curve 1"
+    "5, visibility: a flag is -1, 0, 1 or 2"
+    "6, raise: a column outside the area"
+    "8, draw: Horizon has not told its result, `horizon`"
+    "11, draw: not between two neighbouring samples of the curve, from left to right")
 list(TRANSFORM complaints PREPEND "vidno: call ")
 list(JOIN complaints "\n" complaints)
 
@@ -86,10 +98,14 @@ macro(test_wrong_use)
         must_say("${complaints}\n" ./wrong_use ${detail})
         replay(wrong_warnock)
         replay(wrong_z_buffer)
+        replay(wrong_weiler_atherton)
+        must(${VIDNO} replay wrong_floating_horizon.jsonl -o wrong.states.jsonl)
         # The pixel (3, 1) of the rectangle of call 9 lies in the area; the lines of calls 9 and 11 have one pixel each.
         must_hold(wrong_warnock [=["e":"fill","at":"W10","rect":[3,1,1,1],"color":"#0000ff"]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":0,"runs":[[1,2]]]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":1,"runs":[[2,3]]]=])
+        must_hold(wrong_weiler_atherton [=["e":"paint","at":"PR3","polygon":"a \u0022square\u0022\u000a","color":"#ff0000","runs":[[1,0,2]]]=])
+        must_hold(wrong_floating_horizon [=["e":"draw_line","at":"FH6","segment":[2,3],"from":[2,1],"fromColumns":[2,2],"to":[3,1],"toColumns":[3,3]]=])
     endforeach()
 endmacro()
 
