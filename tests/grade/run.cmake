@@ -143,20 +143,23 @@ function(grade_changed name right)
 endfunction()
 
 # The same mistakes, made in right/warnock.cpp.
-function(must_name mistake)
-    grade_changed(${mistake} warnock ${ARGN})
+function(must_be_named mistake)
     must_say(${mistake} 1 "It behaves like a usual mistake, ${mistake}: ")
 endfunction()
-must_name(depth-sign-reversed "z = -(plane.a" "z = (plane.a")
-must_name(clip-order-reversed "{{window.x, window.y}, {window.x, bottom}, {right, bottom}, {right, window.y}}"
-          "{{right, window.y}, {right, bottom}, {window.x, bottom}, {window.x, window.y}}")
-must_name(y-flipped "    Warnock(scene, trace);" "    Scene flipped = scene;
+grade_changed(depth-sign-reversed warnock "z = -(plane.a" "z = (plane.a")
+must_be_named(depth-sign-reversed)
+grade_changed(clip-order-reversed warnock "{{window.x, window.y}, {window.x, bottom}, {right, bottom}, {right, window.y}}"
+              "{{right, window.y}, {right, bottom}, {window.x, bottom}, {window.x, window.y}}")
+must_be_named(clip-order-reversed)
+grade_changed(y-flipped warnock "    Warnock(scene, trace);" "    Scene flipped = scene;
     for (Polygon& polygon : flipped.polygons) {
         for (Vertex& v : polygon.vertices) v.y = 2 * scene.area.y + scene.area.height - v.y;
     }
     Warnock(flipped, trace);")
-must_name(one-list "    std::vector<Active> polygons;  // APL\n};" "    static std::vector<Active> polygons;  // APL\n};
+must_be_named(y-flipped)
+grade_changed(one-list warnock "    std::vector<Active> polygons;  // APL\n};" "    static std::vector<Active> polygons;  // APL\n};
 std::vector<Active> Window::polygons;" ", 1, {}}" ", 1}" "push({x, y, half, window.polygons})" "push({x, y, half})")
+must_be_named(one-list)
 
 # The grader once passed these programs or named the wrong mistake. Their runs take other steps than those of any mistake of the table. Some
 # make a mistake of the table in another place: `y_flipped` flips the picture and not the polygons.
