@@ -61,7 +61,7 @@ Precision precision_of(const std::vector<SceneGrade>& runs) {
     return precision_of(traces, says_single);
 }
 
-/// Judges all runs of one program, which was to draw so many scenes.
+/// Judges all runs of one program. `given` is the number of scenes that it was to draw.
 ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Grading& grading) {
     ProgramGrade grade;
     grade.given = given;
