@@ -1,4 +1,4 @@
-// Shared by the two example programs: their scene, and the level of detail from the command line.
+// Shared by the example programs: their scene, their surface, and the level of detail from the command line.
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 
@@ -20,6 +20,13 @@ inline vidno::student::Scene example_scene() {
         {{1.25, 10.25, 0.03125}, {15.25, 10.25, 0.90625}, {15.25, 13.25, 0.90625}, {1.25, 13.25, 0.03125}}};
     const vidno::student::Polygon flag{"flag", {148, 103, 189}, {{9.25, 1.25, 0}, {14.25, 1.25, 0}, {9.25, 6.25, 0}}};
     return {"A sail, a wall and a flag", {0, 0, 16, 16}, {255, 255, 255}, {floor, sail, wall, flag}};
+}
+
+/// A hill, a valley behind it, and a slope that passes through the horizons of both.
+inline vidno::student::Surface example_surface() {
+    return {"A hill, a valley and a slope",
+            {0, 0, 16, 12},
+            {{{0, 9}, {5, 5}, {8, 4.5}, {15, 10}}, {{0, 3}, {7, 8}, {15, 3.5}}, {{0, 1}, {15, 11}}}};
 }
 
 inline vidno::student::Detail detail_from(int count, char** words) {

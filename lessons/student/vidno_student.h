@@ -48,6 +48,35 @@ struct Scene {
     std::vector<Polygon> polygons;
 };
 
+/// A point of a curve, over a whole column. y grows downward.
+struct Sample {
+    int x;
+    double y;
+};
+
+/// The contents of a surface file: its curves from the nearest to the farthest, each from its left sample to its right one. Calls name a
+/// curve by its index here, from 0.
+struct Surface {
+    std::string name;
+    Area area;
+    std::vector<std::vector<Sample>> curves;
+};
+
+/// A place on the screen, in pixels.
+struct ScreenPoint {
+    double x, y;
+};
+
+/// The loops of a region. With y downward, an outline runs clockwise on the screen and a hole counterclockwise.
+using Region = std::vector<std::vector<ScreenPoint>>;
+
+/// A part of a polygon in a list. It is ground if it is known to be behind all others of the list.
+struct Piece {
+    int polygon;
+    Region region;
+    bool ground;
+};
+
 /// An environment variable that `vidno grade` sets for the program that it runs; null if a person runs it.
 inline std::string told_by_grade(const char* variable) {
     const char* const value = std::getenv(variable);
@@ -86,6 +115,29 @@ inline Scene scene_to_draw(const Scene& own) {
     }
     if (!text) std::cerr << "vidno: the scene " << file << " cannot be read\n";
     return scene;
+}
+
+/// The surface that `vidno grade` wants drawn, or else your own. Its text: the name on its own line; x, y, width and height of the area;
+/// the number of curves; for each the number of samples, and the samples.
+inline Surface surface_to_draw(const Surface& own) {
+    const std::string file = told_by_grade("VIDNO_SURFACE");
+    if (file.empty()) return own;
+    std::ifstream text(file, std::ios::binary);
+    Surface surface{};
+    std::getline(text, surface.name);
+    surface.name.erase(0, 1);  // a mark that keeps its spaces
+    text >> surface.area.x >> surface.area.y >> surface.area.width >> surface.area.height;
+    std::size_t curves = 0;
+    text >> curves;
+    while (text && surface.curves.size() < curves) {
+        surface.curves.emplace_back();
+        std::size_t samples = 0;
+        text >> samples;
+        for (Sample s{}; surface.curves.back().size() < samples && text >> s.x >> s.y;)
+            surface.curves.back().push_back(s);
+    }
+    if (!text) std::cerr << "vidno: the surface " << file << " cannot be read\n";
+    return surface;
 }
 
 /// How much of what the program reports goes into the file; everything, if `vidno grade` reads it.
@@ -153,31 +205,28 @@ inline std::string sha256(std::vector<unsigned char> message) {
     return digits;
 }
 
-/// The common part of the traces of both methods: the file, the picture, the procedure that runs.
+/// The common part of all traces: the file, and the procedure that runs.
 class Trace {
 public:
     Trace(const Trace&) = delete;
     Trace& operator=(const Trace&) = delete;
-    ~Trace() { close(); }
-
-    /// Ends the run with the last line. A file without it, from a program that crashed, is read as far as it goes.
-    void close() {
-        if (closed_) return;
-        begin("close");
-        run(method);
-        put(object("end", Json{object("events", events_, "picture", "sha256:" + sha256(picture_bytes()))}));
-        if (!file_) complain("the file could not be written");
-        closed_ = true;
-    }
-
-    /// I1: the plane a x + b y + c z + d = 0.
-    void plane(int polygon, double a, double b, double c, double d) {
-        if (!begin("plane", polygon)) return;
-        tell(Detail::polygons, "plane", "I1", "polygon", id(polygon), "plane", list(a, b, c, d));
-    }
 
 protected:
-    enum Procedure { method, process_window, point_color, surround_test, polygon_clip, fill_polygon, show_line };
+    enum Procedure {
+        method,
+        process_window,
+        point_color,
+        surround_test,
+        polygon_clip,
+        fill_polygon,
+        show_line,
+        region_clip,
+        remove_behind,
+        side_edge_of_curve,
+        visibility_of_point,
+        horizon_of_segment,
+        intersection_of_segment
+    };
 
     struct Pixels {
         int left, top, right, bottom;
@@ -192,28 +241,39 @@ protected:
         std::string text;
     };
 
-    Trace(const std::string& own_file, const char* name, const Scene& scene, Detail detail, Precision precision)
-        : scene_(scene),
+    Trace(const std::string& own_file, const Area& area, Detail detail)
+        : area_(area),
           graded_file_(told_by_grade("VIDNO_TRACE")),
           detail_(graded_file_.empty() ? detail : Detail::signs) {
         const std::string file = graded_file_.empty() ? own_file : graded_file_;
         file_.open(file, std::ios::binary);
         begin("open");
         if (!file_) complain("the file " + file + " cannot be written");
-        if (area().width < 1 || area().height < 1) complain("the area has no pixels");
+        if (area.width < 1 || area.height < 1) complain("the area has no pixels");
+    }
+
+    /// The first line.
+    void put_header(const char* name, Precision precision, const Json& scene) {
         const char* const details[] = {"windows", "polygons", "signs"};
         const char* const kernel = precision == Precision::double_precision ? "double" : "float";
         put(object("format", "vidno-trace/1", "method", name, "edition", "corrected", "kernel", kernel, "detail",
-                   details[int(detail_)], "scene", scene_json()));
-        clear_picture();
+                   details[int(detail_)], "scene", scene));
     }
+    /// The last line, with the hash of the result.
+    void put_end(const char* result, const std::vector<unsigned char>& bytes) {
+        begin("close");
+        run(method);
+        put(object("end", Json{object("events", events_, result, "sha256:" + sha256(bytes))}));
+        if (!file_) complain("the file could not be written");
+        closed_ = true;
+    }
+    bool is_closed() const { return closed_; }
 
     Detail detail() const { return detail_; }
-    const Area& area() const { return scene_.area; }
-    const Color& background() const { return scene_.background; }
-    const Polygon& polygon_at(int place) const { return scene_.polygons[std::size_t(place)]; }
-    const std::string& id(int place) const { return polygon_at(place).id; }
-    int polygon_count() const { return int(scene_.polygons.size()); }
+    const Area& area() const { return area_; }
+    Json window_json() const {
+        return {object("x", area_.x, "y", area_.y, "width", area_.width, "height", area_.height)};
+    }
 
     /// Notes a call of the program, for complaints.
     void begin(const char* call) {
@@ -221,14 +281,6 @@ protected:
         call_ = call;
         if (closed_) complain("the trace is closed");
     }
-    /// The same, about a polygon; false if there is none.
-    bool begin(const char* call, int polygon) {
-        begin(call);
-        const bool exists = polygon >= 0 && polygon < polygon_count();
-        if (!exists) complain("the scene has no polygon " + json(polygon));
-        return exists;
-    }
-
     void complain(const std::string& what) {
         const int most = 20;
         if (++complaints_ > most) return;
@@ -239,17 +291,30 @@ protected:
     /// Makes sure that a procedure runs: if it does not, it is called now, at that line. False, with a complaint, while a procedure that it
     /// called has not reported its result.
     bool run(Procedure procedure, const char* callers_line = "") {
-        static const char* const names[] = {
-            "", "ProcessWindow", "PointColor", "SurroundTest", "PolygonClip", "FillPolygon", "ShowLine"};
-        static const char* const results[] = {"", "summary", "color", "surround", "clip_result", "draw", "span"};
+        static const struct {
+            const char *name, *result;
+            Detail from;     // the level of its call
+            bool is_nested;  // another procedure may call it
+        } all[] = {{"", "", Detail::windows, false},
+                   {"ProcessWindow", "summary", Detail::polygons, false},
+                   {"PointColor", "color", Detail::polygons, false},
+                   {"SurroundTest", "surround", Detail::signs, true},
+                   {"PolygonClip", "clip_result", Detail::polygons, false},
+                   {"FillPolygon", "draw", Detail::polygons, false},
+                   {"ShowLine", "span", Detail::polygons, false},
+                   {"RegionClip", "clipped", Detail::polygons, false},
+                   {"RemoveBehind", "nearer_ones", Detail::polygons, false},
+                   {"SideEdge", "left_edge` or `right_edge", Detail::polygons, false},
+                   {"Visibility", "visibility", Detail::signs, false},
+                   {"Horizon", "horizon", Detail::signs, true},
+                   {"Intersection", "intersection", Detail::signs, false}};
         const bool called = std::find(running_.begin(), running_.end(), procedure) != running_.end();
-        const bool nested = procedure == surround_test;
-        if (called ? !runs(procedure) : !nested && running_.size() > 1) {
-            complain(std::string(names[running_.back()]) + " has not told its result, `" + results[running_.back()] +
-                     '`');
+        if (called ? !runs(procedure) : !all[procedure].is_nested && running_.size() > 1) {
+            complain(std::string(all[running_.back()].name) + " has not told its result, `" +
+                     all[running_.back()].result + '`');
         }
         if (!called) {
-            tell(nested ? Detail::signs : Detail::polygons, "call", callers_line, "of", names[procedure]);
+            tell(all[procedure].from, "call", callers_line, "of", all[procedure].name);
             running_.push_back(procedure);
         }
         return runs(procedure);
@@ -279,10 +344,6 @@ protected:
         return {json(std::vector<Json>{Json{json(values)}...})};
     }
 
-    void clear_picture() {
-        const bool has_pixels = area().width > 0 && area().height > 0;
-        picture_.assign(has_pixels ? std::size_t(area().width) * std::size_t(area().height) : 0, background());
-    }
     /// Keeps only the pixels in the area, with a complaint about others; false if none are left.
     bool cut(Pixels& pixels) {
         if (pixels.left >= pixels.right || pixels.top >= pixels.bottom) return false;
@@ -296,14 +357,6 @@ protected:
         if (!whole) complain("pixels outside the area");
         return pixels.left < pixels.right && pixels.top < pixels.bottom;
     }
-    /// Pixels of the area take a colour.
-    void paint(const Pixels& pixels, const Color& color) {
-        for (int y = pixels.top; y < pixels.bottom; ++y) {
-            const int first = (y - area().y) * area().width + (pixels.left - area().x);
-            std::fill_n(picture_.begin() + first, pixels.right - pixels.left, color);
-        }
-    }
-
     static std::string json(const Json& value) { return value.text; }
     static std::string json(bool value) { return value ? "true" : "false"; }
     static std::string json(int value) { return std::to_string(value); }
@@ -335,6 +388,8 @@ protected:
         return json(text);
     }
     static std::string json(const Vertex& v) { return list(v.x, v.y, v.z).text; }
+    static std::string json(const ScreenPoint& c) { return list(c.x, c.y).text; }
+    static std::string json(const Sample& s) { return list(s.x, s.y).text; }
     static std::string json(const Window& w) { return list(w.x, w.y, w.width, w.height).text; }
     template <class T>
     static std::string json(const std::vector<T>& values) {
@@ -343,26 +398,90 @@ protected:
         return '[' + text + ']';
     }
 
+    template <class... Members>
+    static std::string object(const Members&... all) {
+        return '{' + members(all...) + '}';
+    }
+
 private:
     /// Flushes the line, so that everything reported before a crash is in the file.
     void put(const std::string& line) { file_ << line << '\n' << std::flush; }
 
+    static std::string members() { return ""; }
+    template <class Value, class... Rest>
+    static std::string members(const char* name, const Value& value, const Rest&... rest) {
+        return json(name) + ':' + json(value) + (sizeof...(rest) == 0 ? "" : ",") + members(rest...);
+    }
+
+    Area area_;
+    std::string graded_file_;
+    Detail detail_;
+    std::ofstream file_;
+    std::vector<Procedure> running_{method};
+    const char* call_ = "";
+    int calls_ = 0, events_ = 0, complaints_ = 0;
+    bool closed_ = false;
+};
+
+/// The common part of the traces of polygons: the scene and the picture.
+class PolygonTrace : public Trace {
+public:
+    ~PolygonTrace() { close(); }
+
+    /// Ends the run with the last line. A file without it, from a program that crashed, is read as far as it goes.
+    void close() {
+        if (!is_closed()) put_end("picture", picture_bytes());
+    }
+
+    /// I1: the plane a x + b y + c z + d = 0.
+    void plane(int polygon, double a, double b, double c, double d) {
+        if (!begin("plane", polygon)) return;
+        tell(Detail::polygons, "plane", "I1", "polygon", id(polygon), "plane", list(a, b, c, d));
+    }
+
+protected:
+    PolygonTrace(const std::string& file, const char* name, const Scene& scene, Detail detail, Precision precision)
+        : Trace(file, scene.area, detail), scene_(scene) {
+        put_header(name, precision, scene_json());
+        clear_picture();
+    }
+
+    const Color& background() const { return scene_.background; }
+    const Polygon& polygon_at(int place) const { return scene_.polygons[std::size_t(place)]; }
+    const std::string& id(int place) const { return polygon_at(place).id; }
+    int polygon_count() const { return int(scene_.polygons.size()); }
+
+    using Trace::begin;
+    /// The same, about a polygon; false if there is none.
+    bool begin(const char* call, int polygon) {
+        begin(call);
+        return exists(polygon);
+    }
+    bool exists(int polygon) {
+        const bool exists = polygon >= 0 && polygon < polygon_count();
+        if (!exists) complain("the scene has no polygon " + json(polygon));
+        return exists;
+    }
+
+    void clear_picture() {
+        const bool has_pixels = area().width > 0 && area().height > 0;
+        picture_.assign(has_pixels ? std::size_t(area().width) * std::size_t(area().height) : 0, background());
+    }
+    /// Pixels of the area take a colour.
+    void paint(const Pixels& pixels, const Color& color) {
+        for (int y = pixels.top; y < pixels.bottom; ++y) {
+            const int first = (y - area().y) * area().width + (pixels.left - area().x);
+            std::fill_n(picture_.begin() + first, pixels.right - pixels.left, color);
+        }
+    }
+
+private:
     std::vector<unsigned char> picture_bytes() const {
         std::vector<unsigned char> bytes;
         for (const Color& c : picture_) {
             for (const int part : {c.red, c.green, c.blue}) bytes.push_back(static_cast<unsigned char>(part & 255));
         }
         return bytes;
-    }
-
-    template <class... Members>
-    static std::string object(const Members&... all) {
-        return '{' + members(all...) + '}';
-    }
-    static std::string members() { return ""; }
-    template <class Value, class... Rest>
-    static std::string members(const char* name, const Value& value, const Rest&... rest) {
-        return json(name) + ':' + json(value) + (sizeof...(rest) == 0 ? "" : ",") + members(rest...);
     }
 
     Json scene_json() {
@@ -373,28 +492,20 @@ private:
             ids.push_back(each.id);
             polygons.push_back({object("id", each.id, "color", each.color, "vertices", each.vertices)});
         }
-        const Json window{object("x", area().x, "y", area().y, "width", area().width, "height", area().height)};
-        return {object("format", "vidno-scene/1", "name", scene_.name, "window", window, "background", background(),
-                       "polygons", polygons)};
+        return {object("format", "vidno-scene/1", "name", scene_.name, "window", window_json(), "background",
+                       background(), "polygons", polygons)};
     }
 
     Scene scene_;
-    std::string graded_file_;
-    Detail detail_;
-    std::ofstream file_;
     std::vector<Color> picture_;  // rows from the top
-    std::vector<Procedure> running_{method};
-    const char* call_ = "";
-    int calls_ = 0, events_ = 0, complaints_ = 0;
-    bool closed_ = false;
 };
 
 /// A run of Warnock's algorithm.
-class WarnockTrace : public Trace {
+class WarnockTrace : public PolygonTrace {
 public:
     WarnockTrace(const std::string& file, const Scene& scene, Detail detail = Detail::windows,
                  Precision precision = Precision::double_precision)
-        : Trace(file, "warnock", scene, detail, precision) {}
+        : PolygonTrace(file, "warnock", scene, detail, precision) {}
 
     void push(double x, double y, double width, double height) {
         if (is_window("push", {x, y, width, height})) push_window({x, y, width, height});
@@ -681,11 +792,11 @@ private:
 };
 
 /// A run of the Z-buffer. Edge i of a polygon goes from vertex i to the next.
-class ZBufferTrace : public Trace {
+class ZBufferTrace : public PolygonTrace {
 public:
     ZBufferTrace(const std::string& file, const Scene& scene, Detail detail = Detail::windows,
                  Precision precision = Precision::double_precision)
-        : Trace(file, "zbuffer", scene, detail, precision) {}
+        : PolygonTrace(file, "zbuffer", scene, detail, precision) {}
 
     void clear(double z) {
         clear_picture();
@@ -850,6 +961,321 @@ private:
     std::vector<Pixels> runs_;
     std::vector<double> depths_;
     bool is_level_ = false;
+};
+
+/// A run of Weiler and Atherton's algorithm.
+class WeilerAthertonTrace : public PolygonTrace {
+public:
+    WeilerAthertonTrace(const std::string& file, const Scene& scene, Detail detail = Detail::windows,
+                        Precision precision = Precision::double_precision)
+        : PolygonTrace(file, "weiler-atherton", scene, detail, precision) {}
+
+    /// Result of RegionClip: the polygon's part in the area, perhaps empty.
+    void cut_to_area(int polygon, const Region& region) {
+        if (!begin("cut_to_area", polygon) || !end(region_clip, "WA1")) return;
+        tell(Detail::polygons, "cut_to_area", "WA1", "polygon", id(polygon), "region", region);
+    }
+
+    // The stack of lists
+
+    void push_list(const std::vector<Piece>& pieces) {
+        begin("push_list");
+        run(method);
+        bool any_ground = false;
+        std::vector<Json> told;
+        for (const Piece& piece : pieces) {
+            if (!exists(piece.polygon)) return;
+            any_ground = any_ground || piece.ground;
+            told.push_back(list(id(piece.polygon), piece.region, piece.ground));
+        }
+        if (pieces.empty()) return complain("an empty list");
+        tell(Detail::windows, "push_list", !has_popped_ ? "WA3" : any_ground ? "WA9" : "WA6", "pieces", told);
+        lists_.push_back(pieces);
+    }
+    /// The list on top becomes the current one. Its first piece clips the others.
+    void pop_list() {
+        begin("pop_list");
+        run(method);
+        if (lists_.empty()) return complain("the stack of lists is empty");
+        current_ = lists_.back();
+        lists_.pop_back();
+        has_popped_ = true;
+        next_ = 1;
+        inside_ = hidden_ = 0;
+        tell(Detail::windows, "pop_list", "WA4", "clip", id(current_[0].polygon), "count", int(current_.size()));
+    }
+
+    /// The next piece of the current list is known to lie outside the clip piece.
+    void beside(int polygon) {
+        if (!begin("beside", polygon) || !run(method) || !is_next(polygon)) return;
+        ++next_;
+        tell(Detail::polygons, "beside", "WA5", "polygon", id(polygon));
+    }
+    /// Result of RegionClip: the parts of the next piece of the current list, perhaps empty.
+    void clipped(int polygon, const Region& inside, const Region& outside) {
+        if (!begin("clipped", polygon) || !is_next(polygon) || !end(region_clip, "WA5")) return;
+        inside_ += int(!inside.empty() && !current_[next_].ground);
+        ++next_;
+        tell(Detail::polygons, "clipped", "WA5", "polygon", id(polygon), "clip", id(current_[0].polygon), "inside",
+             inside, "outside", outside);
+    }
+    /// In RemoveBehind: the depths of a part inside and of the clip piece at a point, and whether the part is hidden.
+    void behind(int polygon, double x, double y, double z, double clip_z, bool is_behind) {
+        if (!begin("behind", polygon)) return;
+        if (hidden_ == inside_) return complain("no part inside is left");
+        if (!run(remove_behind, "WA7")) return;
+        ++hidden_;
+        tell(Detail::polygons, "behind", "RB3", "polygon", id(polygon), "clip", id(current_[0].polygon), "point",
+             list(x, y), "z", z, "clipZ", clip_z, "order", (z > clip_z) - (z < clip_z), "behind", is_behind);
+    }
+    /// Result of RemoveBehind: the polygons of the parts inside that are nearer.
+    void nearer_ones(const std::vector<int>& polygons) {
+        begin("nearer_ones");
+        std::vector<std::string> ids;
+        for (const int polygon : polygons) {
+            if (!exists(polygon)) return;
+            ids.push_back(id(polygon));
+        }
+        if (hidden_ != inside_) return complain("`behind` comes before, for each part inside that is not ground");
+        if (end(remove_behind, "WA7")) tell(Detail::polygons, "nearer_ones", "WA7", "polygons", ids);
+    }
+    /// A part of the polygon is visible.
+    void show(int polygon, const Region& region) {
+        if (!begin("show", polygon) || !run(method)) return;
+        tell(Detail::windows, "show", "WA8", "polygon", id(polygon), "region", region);
+    }
+
+    // PaintRegions
+
+    /// The pixels first <= x < end of row y will be painted.
+    void row(int y, int first, int end) {
+        begin("row");
+        Pixels pixels{first, y, end, y + 1};
+        if (cut(pixels)) rows_.push_back(pixels);
+    }
+    /// The rows take the polygon's colour.
+    void paint(int polygon) {
+        if (!begin("paint", polygon) || !run(method)) return;
+        const Color& color = polygon_at(polygon).color;
+        std::vector<Json> runs;
+        for (const Pixels& each : rows_) {
+            PolygonTrace::paint(each, color);
+            runs.push_back(list(each.top, each.left, each.right));
+        }
+        rows_.clear();
+        tell(Detail::windows, "paint", "PR3", "polygon", id(polygon), "color", color, "runs", runs);
+    }
+
+private:
+    bool is_next(int polygon) {
+        const bool is = next_ < current_.size() && current_[next_].polygon == polygon;
+        if (!is) complain("not the next piece of the current list");
+        return is;
+    }
+
+    std::vector<std::vector<Piece>> lists_;
+    std::vector<Piece> current_;
+    std::size_t next_ = 1;         // the piece of the current list that is clipped next
+    int inside_ = 0, hidden_ = 0;  // parts inside that are not ground, and those of them with a `behind`
+    bool has_popped_ = false;
+    std::vector<Pixels> rows_;  // of `paint`
+};
+
+/// A run of the floating horizon.
+class FloatingHorizonTrace : public Trace {
+public:
+    FloatingHorizonTrace(const std::string& file, const Surface& surface, Detail detail = Detail::windows,
+                         Precision precision = Precision::double_precision)
+        : Trace(file, surface.area, detail), curves_(surface.curves) {
+        put_header("floating-horizon", precision,
+                   {object("format", "vidno-surface/1", "name", surface.name, "window", window_json(), "curves",
+                           surface.curves)});
+    }
+    ~FloatingHorizonTrace() { close(); }
+
+    /// Ends the run with the last line. A file without it, from a program that crashed, is read as far as it goes.
+    void close() {
+        if (is_closed()) return;
+        std::string text;
+        for (const Line& line : lines_)
+            text += list(line.curve, list(line.from.x, line.from.y), list(line.to.x, line.to.y)).text + '\n';
+        put_end("lines", {text.begin(), text.end()});
+    }
+
+    /// There are no horizons over any column.
+    void horizons() {
+        begin("horizons");
+        run(method);
+        tell(Detail::polygons, "horizons", "FH1");
+    }
+    /// The horizons start at these heights over every column.
+    void horizons(double upper, double lower) {
+        begin("horizons");
+        run(method);
+        tell(Detail::polygons, "horizons", "FH1", "upper", upper, "lower", lower);
+    }
+    /// The calls after this one are about this curve.
+    void curve(int next) {
+        begin("curve");
+        run(method);
+        if (next < 0 || std::size_t(next) >= curves_.size()) return complain("the surface has no curve " + json(next));
+        curve_ = next;
+        has_left_edge_ = has_looked_ = has_drawn_ = has_met_ = false;
+        was_ = is_ = 0;
+        tell(Detail::windows, "curve", "FH2", "curve", next);
+    }
+
+    /// Result of SideEdge: the left or the right edge has come to this end of the curve.
+    void left_edge(int x, double y) { side_edge("left_edge", "FH3", x, y); }
+    void right_edge(int x, double y) { side_edge("right_edge", "FH10", x, y); }
+
+    // Visibility
+
+    /// The curve's height over a column where there are no horizons.
+    void height(int x, double y) {
+        if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x, "y", y);
+    }
+    /// The same, and the heights of the horizons.
+    void height(int x, double y, double upper, double lower) {
+        if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x, "y", y, "upper", upper, "lower", lower);
+    }
+    /// Result of Visibility: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 both of the first two.
+    void visibility(int x, int flag) {
+        if (!is_on_curve("visibility", x, x)) return;
+        if (flag < -1 || flag > 2) return complain("a flag is -1, 0, 1 or 2");
+        if (!end(visibility_of_point, looked_at())) return;
+        was_ = is_;
+        is_ = flag;
+        has_met_ = false;
+        tell(Detail::polygons, "visibility", looked_at(), "segment", segment_of(x, x), "x", x, "flag", flag);
+        has_looked_ = true;
+    }
+
+    // Intersection, and the lines
+
+    /// Is the curve over this column on the other side of the horizon than over the first one?
+    void step(int x, bool changes) {
+        if (!is_on_curve("step", x, x) || !run(intersection_of_segment, met_at())) return;
+        tell(Detail::signs, "step", "IN2", "x", x, "changes", changes);
+    }
+    /// Result of Intersection.
+    void intersection(double x, double y) {
+        if (!is_on_curve("intersection", x, x) || !end(intersection_of_segment, met_at())) return;
+        tell(Detail::polygons, "intersection", met_at(), "segment", segment_of(x, x), "point", list(x, y), "columns",
+             columns_of(x));
+        line_at_ = met_at();
+        has_met_ = true;
+    }
+    /// A part of the curve is visible, from left to right, within two neighbouring samples.
+    void draw(double from_x, double from_y, double to_x, double to_y) {
+        if (!is_on_curve("draw", from_x, to_x) || !run(method)) return;
+        const bool is_whole = from_x == std::floor(from_x) && to_x == std::floor(to_x);
+        if (line_at_.empty()) line_at_ = is_whole ? "FH6" : to_x == std::floor(to_x) ? "FH8" : "FH7";
+        const Json segment = segment_of(from_x, to_x);
+        tell(Detail::windows, "draw_line", line_at_.c_str(), "segment", segment, "from", list(from_x, from_y),
+             "fromColumns", columns_of(from_x), "to", list(to_x, to_y), "toColumns", columns_of(to_x));
+        add_line({curve_, segment.text, {from_x, from_y}, {to_x, to_y}});
+        drawn_at_ = line_at_;
+        line_at_.clear();
+        has_drawn_ = true;
+    }
+
+    // Horizon, after `draw` or before an edge
+
+    /// The upper horizon over the column becomes y.
+    void raise(int x, double y) { move("raise", "H2", upper_, x, y); }
+    /// The lower horizon over the column becomes y.
+    void lower(int x, double y) { move("lower", "H3", lower_, x, y); }
+    /// Result of Horizon: the columns first <= x <= last were examined.
+    void horizon(int first, int last) {
+        begin("horizon");
+        if (!moves() || !end(horizon_of_segment, horizon_at())) return;
+        tell(Detail::polygons, "horizon", horizon_at(), "first", first, "last", last, "upper", upper_, "lower", lower_);
+        upper_.clear();
+        lower_.clear();
+        has_drawn_ = false;
+    }
+
+private:
+    struct Line {
+        int curve;
+        std::string segment;
+        ScreenPoint from, to;
+
+        bool is_point() const { return from.x == to.x && is_whole(from.x); }
+    };
+
+    static bool is_whole(double x) { return x == std::floor(x); }
+    static Json columns_of(double x) { return list(int(std::floor(x)), int(std::ceil(x))); }
+
+    /// Two lines of one curve that meet on a column become one: as the page joins them.
+    void add_line(const Line& line) {
+        const bool goes_on = !lines_.empty() && lines_.back().curve == line.curve && is_whole(line.from.x) &&
+                             lines_.back().to.x == line.from.x;
+        if (goes_on && lines_.back().is_point()) {
+            lines_.back() = line;
+        } else if (goes_on && lines_.back().segment == line.segment) {
+            lines_.back().to = line.to;
+        } else if (!goes_on || !line.is_point()) {
+            lines_.push_back(line);
+        }
+    }
+
+    bool has_curve(const char* call) {
+        begin(call);
+        if (curve_ < 0) complain("`curve` comes before");
+        return curve_ >= 0;
+    }
+    const std::vector<Sample>& samples() const { return curves_[std::size_t(curve_)]; }
+
+    /// The columns of the samples that these places lie between; empty if there are none.
+    Json segment_of(double from, double to) const {
+        for (std::size_t i = 1; i < samples().size(); ++i) {
+            if (samples()[i - 1].x <= from && to <= samples()[i].x) return list(samples()[i - 1].x, samples()[i].x);
+        }
+        return {""};
+    }
+    bool is_on_curve(const char* call, double from, double to) {
+        if (!has_curve(call)) return false;
+        const bool is = from <= to && !segment_of(from, to).text.empty();
+        if (!is) complain("not between two neighbouring samples of the curve, from left to right");
+        return is;
+    }
+
+    void side_edge(const char* call, const char* at, int x, double y) {
+        if (!has_curve(call) || !end(side_edge_of_curve, at)) return;
+        has_left_edge_ = true;
+        tell(Detail::polygons, "side_edge", at, "sample", list(x, y));
+    }
+    bool looks(const char* call, int x) { return is_on_curve(call, x, x) && run(visibility_of_point, looked_at()); }
+    const char* looked_at() const { return has_looked_ ? "FH5" : "FH4"; }
+    /// A line that was visible ends at the first intersection; at the next one the curve becomes visible.
+    const char* met_at() const { return was_ != 0 && !has_met_ ? "FH7" : "FH8"; }
+
+    /// A horizon that moves without a line before it belongs to a side edge.
+    bool moves() {
+        if (curve_ < 0) complain("`curve` comes before");
+        if (curve_ < 0) return false;
+        if (!has_drawn_ && !runs(horizon_of_segment)) run(side_edge_of_curve, has_left_edge_ ? "FH10" : "FH3");
+        return run(horizon_of_segment, horizon_at());
+    }
+    const char* horizon_at() const { return has_drawn_ ? drawn_at_.c_str() : "SE2"; }
+    void move(const char* call, const char* at, std::vector<Json>& moved, int x, double y) {
+        begin(call);
+        if (x < area().x || x >= area().x + area().width) return complain("a column outside the area");
+        if (!moves()) return;
+        moved.push_back(list(x, y));
+        tell(Detail::signs, call, at, "x", x, "y", y);
+    }
+
+    std::vector<std::vector<Sample>> curves_;
+    std::vector<Line> lines_;
+    int curve_ = -1;
+    bool has_left_edge_ = false, has_looked_ = false;
+    bool has_drawn_ = false, has_met_ = false;  // since the last `horizon`; since the last `visibility`
+    int was_ = 0, is_ = 0;                      // the last two flags
+    std::string line_at_, drawn_at_;            // the labels of the next line and of the last one
+    std::vector<Json> upper_, lower_;           // moved since the last `horizon`
 };
 
 }  // namespace student

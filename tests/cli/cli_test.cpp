@@ -930,13 +930,20 @@ TEST_CASE("Lines that leave the range of doubles are drawn with finite numbers")
     const std::string surface =
         work.write("steep.json", R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":8,"height":8},)"
                                  R"("curves":[[[0,1.7e308],[7,-1.7e308]]]})");
-    for (const std::string name : {"steep.svg", "steep.tex"}) {
-        CAPTURE(name);
-        CHECK(program("render " + surface + " -o " + work.file(name)).status == 0);
+    const auto check_finite = [&](const std::string& call, const std::string& name) {
+        CAPTURE(call);
+        CHECK(program(call + " -o " + work.file(name)).status == 0);
         const std::string drawing = work.read(name);
         CHECK_FALSE(drawing.empty());
         CHECK(drawing.find("inf") == std::string::npos);
         CHECK(drawing.find("nan") == std::string::npos);
         CHECK(drawing.find("e+") == std::string::npos);
+    };
+    const std::string run = work.file("steep.jsonl");
+    REQUIRE(program("trace " + surface + " -o " + run).status == 0);
+    for (const std::string ending : {".svg", ".tex"}) {
+        check_finite("render " + surface, "render" + ending);
+        check_finite("figure " + run + " --show picture,windows", "last" + ending);
+        check_finite("figure " + run + " --steps 4,8,12 --show picture,windows", "strip" + ending);
     }
 }

@@ -155,7 +155,6 @@ TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes no
     refused("choose " + surface, for_polygons);
     refused("homework " + surface + " -o " + work.file("out"), for_polygons);
     refused("worksheet " + surface + " -o " + work.file("out.pdf"), for_polygons);
-    refused("grade /bin/true --scenes " + surface, for_polygons);
     refused("map " + surface, surface + ": a surface, and no decision to be mapped, vidno-question/1");
     refused("figure " + surface + " -o " + work.file("out.svg"),
             surface + ": a surface; vidno render draws it, and a figure its trace");

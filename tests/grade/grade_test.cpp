@@ -5,9 +5,11 @@
 #include <doctest/doctest.h>
 
 #include "check/check.h"
+#include "grade/curve_truth.h"
 #include "grade/grade.h"
 #include "grade/scenes.h"
 #include "run/write_trace.h"
+#include "support/random_curves.h"
 #include "support/scenes.h"
 
 using namespace vidno;
@@ -26,15 +28,24 @@ StudentRun run_of(const AdmittedScene& scene, Method method, const char* kernel,
     return read_student_trace(std::move(text));
 }
 
+StudentRun run_of(const Surface& surface, const char* kernel, Edition edition = Edition::corrected,
+                  Detail detail = Detail::signs) {
+    const NamedKernel named = *kernel_named(kernel);
+    std::string text;
+    TraceWriter writer(FloatingHorizonHeader{edition, named.name(), detail, surface},
+                       [&](std::string_view part) { text += part; });
+    write_trace(FloatingHorizonRequest{named, edition, surface.curves, detail}, writer);
+    return read_student_trace(std::move(text));
+}
+
 Judgement judgement_of(const StudentRun& run) {
     return judge(*run.header, run.events, run.complete,
-                 run.header->kernel == "float" ? Precision::single : Precision::twice);
+                 kernel_of(*run.header) == "float" ? Precision::single : Precision::twice);
 }
 
 /// Judges a run in which `change` has altered events of the kind E, until it returns true.
 template <class E>
-Judgement with_changed(const AdmittedScene& scene, Method method, auto change, Detail detail = Detail::signs) {
-    StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
+Judgement with_changed(StudentRun run, auto change) {
     for (auto& event : run.events) {
         const E* found = event.get_if<E>();
         if (!found) continue;
@@ -44,6 +55,11 @@ Judgement with_changed(const AdmittedScene& scene, Method method, auto change, D
         if (done) break;
     }
     return judgement_of(run);
+}
+
+template <class E>
+Judgement with_changed(const AdmittedScene& scene, Method method, auto change, Detail detail = Detail::signs) {
+    return with_changed<E>(run_of(scene, method, "double", Edition::corrected, detail), change);
 }
 
 std::string wrong_of(const Judgement& judgement) {
@@ -194,6 +210,33 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
         const auto change = [](event::AelStep& e) { return e.x = e.x.number + 1, true; };
         CHECK(symptom(with_changed<event::AelStep>(scene, Method::zbuffer, change)) == Symptom::edge);
     }
+    SUBCASE("the number of a side that clips") {
+        const auto change = [](event::ClipSide& e) { return e.side = 2, true; };
+        CHECK(
+            wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change)).find("by its place, and") !=
+            std::string::npos);
+    }
+}
+
+TEST_CASE("Judging: the rows at which edges begin and have ended are those of their ends") {
+    // The square from y = 1 to 7: its lower side begins at row 7, and at row 7 its left and right sides have ended.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 6, 7, .25).build();
+    const auto wrong = [&]<class E>(double by) {
+        const auto change = [&](E& e) { return e.next = e.next.number + by, true; };
+        return wrong_of(with_changed<E>(scene, Method::zbuffer, change));
+    };
+    CHECK(wrong.operator()<event::Leave>(0) == "right");
+    CHECK(wrong.operator()<event::Leave>(1) ==
+          "Z10: the next edges of S begin at row 8: the highest of them begins at y = 7");
+    CHECK(wrong.operator()<event::Leave>(-1) ==
+          "Z10: the next edges of S begin at row 6: the highest of them begins at y = 7");
+    CHECK(wrong.operator()<event::AelSort>(1) ==
+          "Z12: the first edge of AEL has ended at row 8: that edge goes down to y = 7");
+    CHECK(wrong.operator()<event::AelSort>(-1) ==
+          "Z12: the first edge of AEL has ended at row 6: that edge goes down to y = 7");
+    const auto never = [](event::AelDrop& e) { return e.next = 7, true; };
+    CHECK(wrong_of(with_changed<event::AelDrop>(scene, Method::zbuffer, never)) ==
+          "Z16: the first edge of AEL has ended at row 7: AEL is empty");
 }
 
 TEST_CASE("Judging: the printed text is wrong where its defect X-W1 shows") {
@@ -230,10 +273,15 @@ struct Graded {
     std::vector<Judgement> judgements;
 
     Graded(Method method, Edition edition) {
-        for (const AdmittedScene& scene : scenes_to_grade()) {
-            runs.push_back(run_of(scene, method, "double", edition));
-            judgements.push_back(judgement_of(runs.back()));
-        }
+        for (const AdmittedScene& scene : scenes_to_grade()) add(run_of(scene, method, "double", edition));
+    }
+    /// The same of the floating horizon.
+    explicit Graded(Edition edition) {
+        for (const Surface& surface : surfaces_to_grade()) add(run_of(surface, "double", edition));
+    }
+    void add(StudentRun run) {
+        judgements.push_back(judgement_of(run));
+        runs.push_back(std::move(run));
     }
     bool is_wrong() const {
         return std::any_of(judgements.begin(), judgements.end(),
@@ -287,7 +335,6 @@ TEST_CASE("Judging: a line at which the printed text fails is a false claim") {
 }
 
 TEST_CASE("Judging Weiler and Atherton: our own certain runs are right on the scenes for students, at every level") {
-    // Our runs in `double` are called wrong on three of these scenes. Rounding is the likely cause, but it was not traced.
     for (const AdmittedScene& scene : scenes_to_grade()) {
         CAPTURE(scene->name);
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
@@ -295,6 +342,21 @@ TEST_CASE("Judging Weiler and Atherton: our own certain runs are right on the sc
             CHECK(wrong_of(judgement_of(run)) == "right");
         }
     }
+}
+
+TEST_CASE("Judging Weiler and Atherton: our own runs in double are wrong only where rounding loses a part") {
+    std::vector<std::string> wrong_scenes;
+    for (const AdmittedScene& scene : scenes_to_grade()) {
+        CAPTURE(scene->name);
+        const std::string wrong = wrong_of(judgement_of(run_of(scene, Method::weiler_atherton, "double")));
+        if (wrong == "right") continue;
+        CHECK(wrong.ends_with("an outline does not close"));
+        wrong_scenes.push_back(scene->name);
+    }
+    // In exact arithmetic the runs of these scenes are right, and so is a program in `double` that keeps the vertices which its pieces share
+    // (right/weiler_atherton.cpp).
+    CHECK(wrong_scenes ==
+          std::vector<std::string>{"Eight pieces", "Through the one that surrounds", "An area of 16 x 3"});
 }
 
 TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judge finds") {
@@ -320,6 +382,11 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
     SUBCASE("which of two depths is nearer") {
         const auto change = [](event::Behind& e) { return e.order = -e.order, true; };
         CHECK(wrong.operator()<event::Behind>(change).ends_with("the greater z is the nearer"));
+    }
+    SUBCASE("whether a part is hidden") {
+        const auto change = [](event::Behind& e) { return e.behind = !e.behind, true; };
+        CHECK(wrong.operator()<event::Behind>(change) ==
+              "RB3: A is not hidden by B: its depth is 0.125, the other's 0.5");
     }
     SUBCASE("a depth") {
         const auto change = [](event::Behind& e) { return e.z = e.z.number + .0625, true; };
@@ -354,6 +421,152 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
     }
 }
 
+namespace {
+
+/// A curve at height 4 and one at height 8, and a third that comes down from 1 to 11 through both, at x = 3 and 7.
+Surface two_horizons() {
+    return {"", CurveSceneBuilder({0, 0, 11, 12})
+                    .curve({{0, 4}, {10, 4}})
+                    .curve({{0, 8}, {10, 8}})
+                    .curve({{0, 1}, {10, 11}})
+                    .build()};
+}
+
+}  // namespace
+
+TEST_CASE("The truth of curves: heights, horizons and what is hidden, by hand") {
+    using Side = CurveTruth::Side;
+    using When = CurveTruth::When;
+    const CurveTruth truth(two_horizons().curves, Precision::twice);
+    CHECK(truth.height(2, 2.5) == 3.5);
+    CHECK_FALSE(truth.height(2, 10.5).has_value());
+    CHECK(truth.is_on_curve(2, 2.5, 3.5 + 0x1p-44));
+    CHECK_FALSE(truth.is_on_curve(2, 2.5, 3.5 + 0x1p-30));
+    CHECK_FALSE(truth.horizon(0, When::before, Side::upper, 5).has_value());
+    CHECK(truth.horizon(1, When::before, Side::lower, 5) == 4);
+    CHECK(truth.horizon(2, When::before, Side::lower, 5) == 8);
+    CHECK(truth.horizon(2, When::after, Side::upper, 1) == 2);
+    CHECK(truth.may_be(2, 2, VisibilityFlag::above));
+    CHECK_FALSE(truth.may_be(2, 2, VisibilityFlag::hidden));
+    CHECK(truth.may_be(2, 3, VisibilityFlag::hidden));  // it touches the horizon
+    CHECK(truth.may_be(2, 3, VisibilityFlag::above));
+    CHECK_FALSE(truth.may_be(2, 4, VisibilityFlag::above));
+    CHECK(truth.may_be(2, 8, VisibilityFlag::below));
+    CHECK(truth.meets_horizon(2, 7));
+    CHECK_FALSE(truth.meets_horizon(2, 6));
+    CHECK(truth.hidden_between(2, 2, 4) == 3.5);
+    CHECK_FALSE(truth.hidden_between(2, 7, 10).has_value());
+    CHECK_FALSE(truth.left_out(2, {{0, 3}, {7, 10}}).has_value());
+    CHECK(truth.left_out(2, {{0, 3}, {7.5, 10}}) == 7.25);
+    CHECK(truth.left_out(2, {{0, 3}}) == 7.5);
+}
+
+TEST_CASE("The truth of curves: a side edge counts over the columns between its ends") {
+    // From (4, 2) the left edge leads to (0, 6), so over column 2 it is at 4.
+    const CurveScene scene = CurveSceneBuilder({0, 0, 9, 8}).curve({{4, 2}, {8, 2}}).curve({{0, 6}, {8, 6}}).build();
+    const CurveTruth truth(scene, Precision::twice);
+    const auto upper = [&](int x) { return truth.horizon(1, CurveTruth::When::before, CurveTruth::Side::upper, x); };
+    CHECK_FALSE(upper(0).has_value());
+    CHECK(upper(2) == 4);
+    CHECK(upper(4) == 2);
+}
+
+TEST_CASE("Judging curves: our own runs are right at every level, in double and in float, also on random curves") {
+    std::vector<Surface> surfaces = surfaces_to_grade();
+    for (Surface& surface : random_surfaces_to_grade(5, 60)) surfaces.push_back(std::move(surface));
+    RandomCurves random(3);
+    for (int trial = 0; trial < 60; ++trial) surfaces.push_back({"", moved_by_ulps(random.scene(), random)});
+    for (const Surface& surface : surfaces) {
+        CAPTURE(surface_json(surface));
+        for (const char* kernel : {"double", "float"}) {
+            for (const Detail detail : {Detail::windows, Detail::signs}) {
+                CHECK(wrong_of(judgement_of(run_of(surface, kernel, Edition::corrected, detail))) == "right");
+            }
+        }
+    }
+}
+
+TEST_CASE("Judging curves: each defect of the printed text is found and named from its traces") {
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const Edition edition{Deviation(i)};
+        if (!has_text_of_curves(edition)) continue;
+        const std::string name = name_of(edition);
+        CAPTURE(name);
+        const Graded graded(edition);
+        CHECK(graded.is_wrong());
+        CHECK(graded.deviation() == Deviation(i));
+    }
+}
+
+TEST_CASE("Judging curves: a changed claim is the one that the judge finds") {
+    const auto wrong = []<class E>(auto change, Detail detail = Detail::signs) {
+        return wrong_of(with_changed<E>(run_of(two_horizons(), "double", Edition::corrected, detail), change));
+    };
+    SUBCASE("where the upper horizon starts") {
+        const auto change = [](event::Horizons& e) { return e.upper = 5, true; };
+        CHECK(wrong.operator()<event::Horizons>(change) ==
+              "FH1: the upper horizon starts at y = 5: a curve goes beyond that, and nothing hides it there");
+    }
+    SUBCASE("the height of a curve") {
+        const auto change = [](event::Height& e) { return e.y = 5, true; };
+        CHECK(wrong.operator()<event::Height>(change) == "V1: at x = 0 curve 0 is at y = 5: it is at y = 4");
+    }
+    SUBCASE("the height of a horizon") {
+        const auto change = [](event::Height& e) {
+            if (!e.upper || e.x != 5) return false;
+            return e.upper = 3, true;
+        };
+        CHECK(
+            wrong.operator()<event::Height>(change) ==
+            "V1: the upper horizon over column 5 is at y = 3: by the curves and edges before it the upper horizon over "
+            "column 5 is at y = 4");
+    }
+    SUBCASE("a flag") {
+        const auto change = [curve = 0](event::Visibility& e) mutable {
+            if (e.at == Line::FH4) ++curve;
+            if (curve < 3 || e.x != 5) return false;
+            return e.flag = VisibilityFlag::above, true;
+        };
+        CHECK(wrong.operator()<event::Visibility>(change) ==
+              "FH5: the flag of curve 2 over column 5 is 1: it is at y = 6 there, and the horizons are at 4 and 8");
+    }
+    SUBCASE("a line across what is hidden") {
+        const auto change = [](event::DrawLine& e) {
+            if (e.from.y.number != 3) return false;
+            e.to = {4, 5};
+            e.to_columns = {4, 4};
+            return true;
+        };
+        CHECK(wrong.operator()<event::DrawLine>(change, Detail::windows) ==
+              "FH6: curve 2 is visible from x = 2 to 4: at x = 3.5 it is hidden: there it is at y = 4.5, between the "
+              "horizons");
+    }
+    SUBCASE("a line that is missing") {
+        StudentRun run = run_of(two_horizons(), "double", Edition::corrected, Detail::windows);
+        const auto is_low = [](const Event& event) {
+            const auto* line = event.get_if<event::DrawLine>();
+            return line && line->from.y.number == 8 && line->to.y.number == 9;
+        };
+        std::erase_if(run.events, is_low);
+        CHECK(wrong_of(judgement_of(run))
+                  .ends_with("curve 2 is done, and it is not drawn at x = 7.5: it is visible there, at y = 8.5"));
+    }
+    SUBCASE("a horizon that is not raised") {
+        const auto change = [](event::Horizon& e) {
+            if (e.upper.empty()) return false;
+            return e.upper.clear(), true;
+        };
+        CHECK(
+            wrong.operator()<event::Horizon>(change, Detail::polygons).find("there is no upper horizon over column") !=
+            std::string::npos);
+    }
+    SUBCASE("the end of a side edge") {
+        const auto change = [](event::SideEdge& e) { return e.sample = {0, 5}, true; };
+        CHECK(wrong.operator()<event::SideEdge>(change) ==
+              "FH3: the left edge comes to (0, 5): the end of curve 0 there is (0, 4)");
+    }
+}
+
 TEST_CASE("Judging: an incomplete trace is judged as far as it goes") {
     StudentRun run = run_of(neighbours(), Method::warnock, "double");
     run.events.erase(run.events.begin() + std::ptrdiff_t(run.events.size() / 2), run.events.end());
@@ -371,6 +584,12 @@ TEST_CASE("A judge ignores the order of polygons and vertices in a scene") {
     CHECK(same_scene(other, scene));
     other.polygons[0].vertices[0].z = 0;
     CHECK_FALSE(same_scene(other, scene));
+}
+
+TEST_CASE("The text of a surface for a student's program") {
+    const Surface surface{" Two lines",
+                          CurveSceneBuilder({-2, 0, 3, 4}).curve({{-2, .1}, {0, 1}}).curve({{-1, 3}, {0, 2}}).build()};
+    CHECK(scene_text(surface) == ": Two lines\n-2 0 3 4 \n2 \n2 \n-2 0.1 \n0 1 \n2 \n-1 3 \n0 2 \n");
 }
 
 TEST_CASE("The text of a scene for a student's program") {

@@ -41,6 +41,7 @@ void check_all(const std::string& expected, const std::vector<glm::dvec3>& verti
     for (const auto& outline : turned(vertices)) CHECK(verdict(outline) == expected);
 }
 
+constexpr const char* not_convex = "not convex: the outline does not go once around the convex hull of its vertices";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least = std::numeric_limits<double>::denorm_min();
 
@@ -71,18 +72,18 @@ TEST_CASE("repeated and collinear vertices are allowed and stay") {
 
 TEST_CASE("outlines that are not convex or do not wind around exactly once are refused") {
     // An L, and a quad with a dent.
-    check_all("not convex", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
-    check_all("not convex", {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
+    check_all(not_convex, {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
+    check_all(not_convex, {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}});
     // A bow-tie: the turns differ in sign.
-    check_all("not convex", {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}});
+    check_all(not_convex, {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}});
     // A pentagram: five turns of one sign, but it winds around twice, so the direction flips four times.
-    check_all("not convex", {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}});
+    check_all(not_convex, {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}});
     // A square traversed twice.
-    check_all("not convex", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+    check_all(not_convex, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
     // Spikes: out of a corner, out of a side, and back along a side.
-    check_all("not convex", {{0, 0, 0}, {3, 0, 0}, {2, 0, 0}, {0, 2, 0}});
-    check_all("not convex", {{0, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}});
-    check_all("not convex", {{0, 0, 0}, {3, 0, 0}, {1, 0, 0}, {4, 0, 0}, {0, 4, 0}});
+    check_all(not_convex, {{0, 0, 0}, {3, 0, 0}, {2, 0, 0}, {0, 2, 0}});
+    check_all(not_convex, {{0, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}});
+    check_all(not_convex, {{0, 0, 0}, {3, 0, 0}, {1, 0, 0}, {4, 0, 0}, {0, 4, 0}});
 }
 
 TEST_CASE("edge-on is decided exactly, whatever the order of the vertices") {
@@ -131,7 +132,7 @@ TEST_CASE("a vertex reflex by at most 2^-40 of the extent is dropped") {
             CHECK(polygon.vertices.size() == 4);
         }
     }
-    check_all("not convex", dented(std::nextafter(0x1p-40, 1.0)));
+    check_all(not_convex, dented(std::nextafter(0x1p-40, 1.0)));
     check_all("admitted", dented(-0x1p-30));  // outwards it is not a dent
 }
 
@@ -152,7 +153,7 @@ TEST_CASE("many vertices reflex by rounding are dropped, but a deep dent is not 
     CHECK(admit_polygon(polygon).dropped == 63);
     CHECK(polygon.vertices.size() == 4);
     // Each vertex is only 2^-36 / 64^2 = 2^-48 off its neighbours' chord, the middle one 2^-38 off the last chord.
-    CHECK(verdict(bay(0x1p-36)) == "not convex");
+    CHECK(verdict(bay(0x1p-36)) == not_convex);
 }
 
 TEST_CASE("an outline may overrun its start by rounding, wherever it starts and in both directions") {
@@ -174,7 +175,7 @@ TEST_CASE("an outline may overrun its start by rounding, wherever it starts and 
     check_all("admitted", with_step({{1, 1, 0}, {1 + 3 * ulp, 1 - 2 * ulp, 0}, {1, 1, 0}}));
     // The overrun that the tolerance no longer admits: the extent is 1.
     check_all("admitted", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 0x1p-40, 1, 0}});
-    check_all("not convex", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 0x1p-40 + ulp, 1, 0}});
+    check_all(not_convex, {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 0x1p-40 + ulp, 1, 0}});
 }
 
 TEST_CASE("an outline that is convex but for rounding keeps the corners of its hull, from its first one") {

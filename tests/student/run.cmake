@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.25)
 set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
 set(right ${CMAKE_CURRENT_LIST_DIR}/../grade/right)
-set(sources ${right}/warnock.cpp ${right}/z_buffer.cpp)
+set(sources ${right}/warnock.cpp ${right}/z_buffer.cpp ${right}/weiler_atherton.cpp ${right}/floating_horizon.cpp)
 foreach(name IN ITEMS sha256 wrong_use crash)
     list(APPEND sources ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp)
 endforeach()
@@ -49,6 +49,15 @@ macro(test_example name method)
     endforeach()
 endmacro()
 
+# The regions and lines of a right program end between pixels, where rounding decides the last digits. So they are judged.
+macro(test_judged name)
+    foreach(detail IN ITEMS windows polygons signs)
+        must_say("" ./${name} ${detail})
+        must(${VIDNO} replay ${name}.jsonl -o ${name}.states.jsonl)
+        must(${VIDNO} grade ${name}.jsonl)
+    endforeach()
+endmacro()
+
 # By the number of the call in wrong_use.cpp; the same at every level, but with other steps.
 set(complaints
     "2, pop: not the window on top of AW: the trace pushes it first"
@@ -68,7 +77,19 @@ set(complaints
     "8, pixel: pixels outside the area"
     "10, scanline: ShowLine has not told its result, `span`"
     "12, pixel: `span` comes before another row"
-    "15, clear: the trace is closed")
+    "15, clear: the trace is closed"
+    "2, pop_list: the stack of lists is empty"
+    "3, push_list: an empty list"
+    "4, push_list: the scene has no polygon 7"
+    "7, clipped: not the next piece of the current list"
+    "8, behind: no part inside is left"
+    "10, row: pixels outside the area"
+    "2, draw: `curve` comes before"
+    "3, curve: the surface has no curve 1"
+    "5, visibility: a flag is -1, 0, 1 or 2"
+    "6, raise: a column outside the area"
+    "8, draw: Horizon has not told its result, `horizon`"
+    "11, draw: not between two neighbouring samples of the curve, from left to right")
 list(TRANSFORM complaints PREPEND "vidno: call ")
 list(JOIN complaints "\n" complaints)
 
@@ -77,10 +98,14 @@ macro(test_wrong_use)
         must_say("${complaints}\n" ./wrong_use ${detail})
         replay(wrong_warnock)
         replay(wrong_z_buffer)
+        replay(wrong_weiler_atherton)
+        must(${VIDNO} replay wrong_floating_horizon.jsonl -o wrong.states.jsonl)
         # The pixel (3, 1) of the rectangle of call 9 lies in the area; the lines of calls 9 and 11 have one pixel each.
         must_hold(wrong_warnock [=["e":"fill","at":"W10","rect":[3,1,1,1],"color":"#0000ff"]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":0,"runs":[[1,2]]]=])
         must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":1,"runs":[[2,3]]]=])
+        must_hold(wrong_weiler_atherton [=["e":"paint","at":"PR3","polygon":"a \u0022square\u0022\u000a","color":"#ff0000","runs":[[1,0,2]]]=])
+        must_hold(wrong_floating_horizon [=["e":"draw_line","at":"FH6","segment":[2,3],"from":[2,1],"fromColumns":[2,2],"to":[3,1],"toColumns":[3,3]]=])
     endforeach()
 endmacro()
 
@@ -105,14 +130,16 @@ foreach(compiler IN LISTS COMPILERS)
         must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source} -o ${program})
     endforeach()
     # The frames that students begin with, which paint nothing yet, compile and write complete traces.
-    foreach(frame IN ITEMS warnock z_buffer)
+    foreach(frame IN ITEMS warnock z_buffer weiler_atherton floating_horizon)
         must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror ${student}/${frame}.cpp -o frame)
         must_say("" ./frame)
-        replay(${frame})
+        must(${VIDNO} replay ${frame}.jsonl -o frame.states.jsonl)
     endforeach()
     must(./sha256)
     test_example(warnock warnock)
     test_example(z_buffer zbuffer)
+    test_judged(weiler_atherton)
+    test_judged(floating_horizon)
     test_wrong_use()
     test_crash()
 endforeach()

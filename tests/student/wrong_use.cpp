@@ -37,9 +37,42 @@ void misuse_z_buffer(Detail detail) {
     trace.clear(-1);  // 15: closed
 }
 
+void misuse_weiler_atherton(Detail detail) {
+    WeilerAthertonTrace trace("wrong_weiler_atherton.jsonl", scene, detail);
+    trace.pop_list();                   // 2: nothing was pushed
+    trace.push_list({});                // 3: no pieces
+    trace.push_list({{7, {}, false}});  // 4: no such polygon
+    trace.push_list({{0, {{{0, 0}, {4, 0}, {4, 2}, {0, 2}}}, false}});
+    trace.pop_list();
+    trace.clipped(0, {}, {});             // 7: the list has one piece, which clips the others
+    trace.behind(0, 1, 1, 0, 0.5, true);  // 8: nothing is inside
+    trace.nearer_ones({});
+    trace.row(1, -1, 2);  // 10: off the area
+    trace.paint(0);
+}
+
+void misuse_floating_horizon(Detail detail) {
+    const Surface surface{"Wrong use", {0, 0, 4, 4}, {{{0, 1}, {2, 1}, {3, 1}}}};
+    FloatingHorizonTrace trace("wrong_floating_horizon.jsonl", surface, detail);
+    trace.draw(0, 1, 1, 1);  // 2: of no curve
+    trace.curve(1);          // 3: no such curve
+    trace.curve(0);
+    trace.visibility(3, 3);  // 5: no such flag
+    trace.raise(9, 1);       // 6: off the area
+    trace.raise(1, 1);
+    trace.draw(0, 1, 1, 1);  // 8: Horizon still runs
+    trace.horizon(1, 1);
+    trace.left_edge(0, 1);
+    trace.draw(1, 1, 3, 1);  // 11: over a sample
+    trace.draw(0, 1, 2, 1);
+    trace.draw(2, 1, 3, 1);
+}
+
 int main(int count, char** words) {
     const std::string word = count > 1 ? words[1] : "";
     const Detail detail = word == "windows" ? Detail::windows : word == "polygons" ? Detail::polygons : Detail::signs;
     misuse_warnock(detail);
     misuse_z_buffer(detail);
+    misuse_weiler_atherton(detail);
+    misuse_floating_horizon(detail);
 }

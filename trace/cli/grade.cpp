@@ -30,31 +30,53 @@ struct GradeOptions {
     bool no_sandbox = false, first = false;
 };
 
-PageFile page_file(const std::string& title, const TraceHeader& header, const std::string& trace) {
-    return {title,
-            std::string(method_names[std::size_t(header.method)]),
-            header.kernel,
-            name_of(header.edition),
-            std::string(detail_names[std::size_t(header.detail)]),
-            gzipped(trace),
-            false};
+PageFile page_file(const std::string& title, const AnyHeader& any, const std::string& trace) {
+    return std::visit(
+        [&](const auto& header) {
+            return PageFile{title,
+                            std::string(method_of(any)),
+                            header.kernel,
+                            name_of(header.edition),
+                            std::string(detail_names[std::size_t(header.detail)]),
+                            gzipped(trace),
+                            false};
+        },
+        any);
 }
 
-/// The right run of the scene that the program drew, by the same method.
-PageFile right_run(const TraceHeader& drawn, const Words& say) {
-    const NamedKernel kernel = *kernel_named("filtered");
-    const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
+/// The trace of the right run of the scene that the program drew, by the same method.
+std::string right_trace(const TraceHeader& header, const NamedKernel& kernel) {
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    const AdmittedScene scene = exact_scene::admit(drawn.scene);
-    write_trace({drawn.method, kernel, Edition::corrected, scene, Detail::signs}, writer);
-    return page_file(say({"Right", "Верно"}), header, text);
+    const AdmittedScene scene = exact_scene::admit(header.scene);
+    write_trace({header.method, kernel, header.edition, scene, header.detail}, writer);
+    return text;
+}
+
+std::string right_trace(const FloatingHorizonHeader& header, const NamedKernel& kernel) {
+    std::string text;
+    TraceWriter writer(header, [&](std::string_view part) { text += part; });
+    write_trace(FloatingHorizonRequest{kernel, header.edition, header.scene.curves, header.detail}, writer);
+    return text;
+}
+
+PageFile right_run(AnyHeader any, const Words& say) {
+    const NamedKernel kernel = *kernel_named("filtered");
+    const std::string text = std::visit(
+        [&](auto& header) {
+            header.edition = Edition::corrected;
+            header.kernel = kernel.name();
+            header.detail = Detail::signs;
+            return right_trace(header, kernel);
+        },
+        any);
+    return page_file(say({"Right", "Верно"}), any, text);
 }
 
 /// The page of a run beside the right one.
 std::string page_of(const SceneGrade& grade, const Words& say) {
     PageContent content;
-    content.add(page_file(say({"Your program: {}", "Ваша программа: {}"}, grade.scene.name), *grade.run.header,
+    content.add(page_file(say({"Your program: {}", "Ваша программа: {}"}, name_of(grade.scene)), *grade.run.header,
                           grade.run.trace));
     content.add(right_run(*grade.run.header, say));
     return trace_page(content);
@@ -71,16 +93,25 @@ void write_page(const SceneGrade& grade, const std::string& file, const Words& s
               << file_address(std::filesystem::absolute(file)) << "#trace=1&with=2&step=" << step << '\n';
 }
 
-std::vector<AdmittedScene> scenes_of(const GradeOptions& options, const Words& say) {
-    std::vector<AdmittedScene> scenes;
-    for (const auto& file : options.scenes) scenes.push_back(scene_from(file));
-    if (!scenes.empty()) return scenes;
-    scenes = scenes_to_grade();
+ScenesToGrade scenes_of(const GradeOptions& options, const Words& say) {
+    ScenesToGrade scenes;
+    for (const auto& file : options.scenes) {
+        AnyScene scene = any_scene_from(file);
+        if (auto* surface = std::get_if<Surface>(&scene)) {
+            scenes.surfaces.push_back(std::move(*surface));
+        } else {
+            scenes.polygons.push_back(std::get<AdmittedScene>(std::move(scene)));
+        }
+    }
+    if (!options.scenes.empty()) return scenes;
+    scenes = {scenes_to_grade(), surfaces_to_grade()};
     if (options.random == 0) return scenes;
     std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
                      options.random, std::to_string(options.seed));
     for (AdmittedScene& scene : random_scenes_to_grade(options.seed, options.random))
-        scenes.push_back(std::move(scene));
+        scenes.polygons.push_back(std::move(scene));
+    for (Surface& surface : random_surfaces_to_grade(options.seed, options.random))
+        scenes.surfaces.push_back(std::move(surface));
     return scenes;
 }
 
@@ -120,20 +151,18 @@ SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, co
 int grade_one(const GradeOptions& options, const Grading& grading) {
     const Words& say = grading.say;
     ProgramGrade grade;
-    std::size_t scenes_given = 1;
     if (is_trace(options.program)) {
         LineReader lines(options.program);
         std::string text;
         for (std::string line; lines.next(line);) text += line + '\n';
         grade = grade_trace(std::move(text), grading);
     } else {
-        const std::vector<AdmittedScene> scenes = scenes_of(options, say);
+        const ScenesToGrade scenes = scenes_of(options, say);
         Progress progress("scenes");
-        scenes_given = scenes.size();
         grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
     }
     if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
-    std::cout << report_of(grade, scenes_given, grading);
+    std::cout << report_of(grade, grading);
     if (grade.wrong() == 0) return grade.right() ? 0 : 1;
     SceneGrade shown = *grade.first_wrong();
     if (!is_trace(options.program) && !options.first && shown.run.header) {
@@ -172,7 +201,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
     const std::vector<std::filesystem::path> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
     std::filesystem::create_directories(reports);
-    const std::vector<AdmittedScene> scenes = scenes_of(options, grading.say);
+    const ScenesToGrade scenes = scenes_of(options, grading.say);
     const Patience patience{100, std::chrono::seconds(5)};
     const bool has_page = page_is_built();
     std::vector<TableRow> rows;
@@ -184,7 +213,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
             ProgramGrade grade = grade_program(program, scenes, grading, [](std::size_t) {});
             row.reason = mute(grade);
             if (row.reason.empty()) {
-                text = report_of(grade, scenes.size(), grading);
+                text = report_of(grade, grading);
                 const SceneGrade* first = grade.first_wrong();
                 if (first && first->run.header) {
                     const SceneGrade smallest = smallest_of(program.string(), grade, grading, patience);
@@ -235,7 +264,8 @@ void add_grade(CLI::App& program, int& status) {
             "A program that writes a trace by lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
             "or a folder of such programs")
         ->required();
-    command.add_option("--scenes", options->scenes, "Scene files to run it on; without them, on a set of small ones");
+    command.add_option("--scenes", options->scenes,
+                       "Scene or surface files to run it on; without them, on a set of small ones");
     command.add_option("--random", options->random, "How many random scenes to add to that set")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
@@ -258,6 +288,7 @@ void add_grade(CLI::App& program, int& status) {
                        "A page, .html, with the wrong run on the smallest scene beside the right one; of a folder a "
                        "table, .csv or .json, and in a folder of the same name a report on each program");
     command.footer(
+        "It judges Warnock's algorithm, the Z-buffer, Weiler and Atherton's algorithm and the floating horizon.\n"
         "Another order, another rule for outlines, recursion and float are as right. What a program does not tell is "
         "not\n"
         "judged; the report says what it told. Programs run with limits of time, memory and output, and under "

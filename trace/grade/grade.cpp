@@ -10,30 +10,36 @@ namespace vidno {
 
 namespace {
 
-bool is_judged(Method method) { return is_of_course(method) || method == Method::weiler_atherton; }
+bool is_judged(const AnyHeader& header) {
+    const auto* polygons = std::get_if<TraceHeader>(&header);
+    return !polygons || is_of_course(polygons->method) || polygons->method == Method::weiler_atherton;
+}
 
 /// Why a run cannot be judged; empty if it can.
-std::string nothing_to_judge(const StudentRun& run, const Scene& scene, const Words& say) {
+std::string nothing_to_judge(const StudentRun& run, const DrawnScene& scene, const Words& say) {
     if (run.trace.empty()) {
         return say(
-            {"no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do",
-             "запись не создана: рисуйте scene_to_draw(...) и сообщайте о шагах объекту WarnockTrace или "
-             "ZBufferTrace"});
+            {"no trace was written: draw scene_to_draw(...) or surface_to_draw(...), and tell a WarnockTrace, "
+             "ZBufferTrace, WeilerAthertonTrace or FloatingHorizonTrace what you do",
+             "запись не создана: рисуйте scene_to_draw(...) или surface_to_draw(...) и сообщайте о шагах объекту "
+             "WarnockTrace, ZBufferTrace, WeilerAthertonTrace или FloatingHorizonTrace"});
     }
     if (!run.header) return run.unreadable;
-    if (!is_judged(run.header->method)) {
-        return say({"a trace of {}: only warnock, zbuffer and weiler-atherton are judged",
-                    "запись метода {}: проверяются только warnock, zbuffer и weiler-atherton"},
-                   method_names[std::size_t(run.header->method)]);
+    if (!is_judged(*run.header)) {
+        return say({"a trace of {}: only warnock, zbuffer, weiler-atherton and floating-horizon are judged",
+                    "запись метода {}: проверяются только warnock, zbuffer, weiler-atherton и floating-horizon"},
+                   method_of(*run.header));
     }
-    if (run.header->kernel != "float" && run.header->kernel != "double") {
+    const std::string& kernel = kernel_of(*run.header);
+    if (kernel != "float" && kernel != "double") {
         return say({"a trace of the kernel {}: only float and double are judged",
                     "запись с арифметикой {}: проверяются только float и double"},
-                   run.header->kernel);
+                   kernel);
     }
-    if (!same_scene(run.header->scene, scene)) {
-        return say({"another scene was drawn than the one that was given: draw scene_to_draw(...)",
-                    "нарисована другая сцена, а не заданная: рисуйте scene_to_draw(...)"});
+    if (!same_scene(scene_of(*run.header), scene)) {
+        return say(
+            {"another scene was drawn than the one that was given: draw scene_to_draw(...) or surface_to_draw(...)",
+             "нарисована другая сцена, а не заданная: рисуйте scene_to_draw(...) или surface_to_draw(...)"});
     }
     return "";
 }
@@ -44,22 +50,28 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
 }
 
-/// Judges all runs of one program.
-ProgramGrade judged(std::vector<SceneGrade> runs, const Grading& grading) {
-    ProgramGrade grade;
+/// The precision of the program that made these runs.
+Precision precision_of(const std::vector<SceneGrade>& runs) {
     std::vector<const std::vector<Event>*> traces;
     bool says_single = false;
     for (const auto& [scene, run, judgement, not_judged] : runs) {
         traces.push_back(&run.events);
-        says_single = says_single || (run.header && run.header->kernel == "float");
+        says_single = says_single || (run.header && kernel_of(*run.header) == "float");
     }
-    grade.precision = precision_of(traces, says_single);
+    return precision_of(traces, says_single);
+}
+
+/// Judges all runs of one program. `given` is the number of scenes that it was to draw.
+ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Grading& grading) {
+    ProgramGrade grade;
+    grade.given = given;
+    grade.precision = precision_of(runs);
     std::vector<Observation> observed;
     for (auto& each : runs) {
         judge_run(each, grade.precision, grading.say);
         if (!each.judgement) continue;
         observed.push_back({&*each.run.header, &each.run.events, &*each.judgement, each.run.complete});
-        grade.told += told_by(method_names[std::size_t(each.run.header->method)], each.run.events);
+        grade.told += told_by(method_of(*each.run.header), each.run.events);
     }
     if (grading.detail != Detail::windows) grade.missing = missing_from(grade.told, grading.detail, grading.say);
     grade.deviation = deviation_of(observed, grade.precision);
@@ -88,44 +100,59 @@ const SceneGrade* ProgramGrade::first_wrong() const {
     return found == scenes.end() ? nullptr : &*found;
 }
 
-ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<AdmittedScene>& scenes,
-                           const Grading& grading, const std::function<void(std::size_t)>& progress) {
+ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToGrade& scenes, const Grading& grading,
+                           const std::function<void(std::size_t)>& progress) {
     constexpr int enough_endless = 2;
+    std::vector<DrawnScene> polygons;
+    for (const AdmittedScene& scene : scenes.polygons) polygons.emplace_back(*scene);
+    const std::vector<DrawnScene> surfaces(scenes.surfaces.begin(), scenes.surfaces.end());
+    const auto* drawn = polygons.empty() ? &surfaces : &polygons;
     std::vector<SceneGrade> runs;
     int endless = 0;
-    for (const AdmittedScene& scene : scenes) {
+    while (runs.size() < drawn->size()) {
         progress(runs.size());
-        runs.push_back({scene, run_student(program, scene, grading.limits)});
+        const DrawnScene& scene = (*drawn)[runs.size()];
+        const bool is_first = runs.empty() && !polygons.empty() && !surfaces.empty();
+        StudentRun run = is_first ? run_student(program, {scene, surfaces.front()}, grading.limits)
+                                  : run_student(program, {scene}, grading.limits);
+        if (is_first && run.header && std::holds_alternative<FloatingHorizonHeader>(*run.header)) drawn = &surfaces;
+        runs.push_back({(*drawn)[runs.size()], std::move(run)});
         if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
         if (!grading.first_only) continue;
         SceneGrade judged_alone = runs.back();
-        judge_run(judged_alone, Precision::twice, grading.say);
+        judge_run(judged_alone, precision_of(runs), grading.say);
         if (!judged_alone.right()) break;
     }
-    return judged(std::move(runs), grading);
+    return judged(std::move(runs), drawn->size(), grading);
 }
 
 ProgramGrade grade_trace(std::string text, const Grading& grading) {
     StudentRun run = read_student_trace(std::move(text));
-    const Scene scene = run.header ? run.header->scene : Scene{};
+    const DrawnScene scene = run.header ? scene_of(*run.header) : DrawnScene{};
     std::vector<SceneGrade> runs;
     runs.push_back({scene, std::move(run)});
-    return judged(std::move(runs), grading);
+    return judged(std::move(runs), 1, grading);
 }
 
 SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, Precision precision,
                             const Grading& grading, const Patience& patience, const std::function<void()>& progress) {
     const auto deadline = std::chrono::steady_clock::now() + patience.time;
     SceneGrade smallest = failing;
-    shrunk(exact_scene::admit(failing.scene), [&, runs = 0](const AdmittedScene& smaller) mutable {
+    auto fails = [&, runs = 0](const DrawnScene& smaller) mutable {
         if (++runs > patience.runs || std::chrono::steady_clock::now() > deadline) return false;
         progress();
-        SceneGrade grade{smaller, run_student(program, smaller, grading.limits)};
+        SceneGrade grade{smaller, run_student(program, {smaller}, grading.limits)};
         judge_run(grade, precision, grading.say);
         const bool alike = fails_alike(failing, grade);
         if (alike) smallest = std::move(grade);
         return alike;
-    });
+    };
+    if (const auto* surface = std::get_if<Surface>(&failing.scene)) {
+        shrunk(surface->curves, [&](const AdmittedCurves& smaller) { return fails(Surface{surface->name, smaller}); });
+    } else {
+        shrunk(exact_scene::admit(std::get<Scene>(failing.scene)),
+               [&](const AdmittedScene& smaller) { return fails(Scene(smaller)); });
+    }
     return smallest;
 }
 

@@ -5,13 +5,14 @@
 #include <functional>
 
 #include "grade/mistakes.h"
+#include "grade/scenes.h"
 #include "grade/student_run.h"
 #include "grade/told.h"
 
 namespace vidno {
 
 struct SceneGrade {
-    Scene scene;
+    DrawnScene scene;
     StudentRun run;
     std::optional<Judgement> judgement{};  // none if there was nothing to judge
     std::string not_judged{};              // the reason in that case
@@ -21,6 +22,7 @@ struct SceneGrade {
 
 struct ProgramGrade {
     std::vector<SceneGrade> scenes;
+    std::size_t given = 0;  // the number of scenes that it was to draw
     Precision precision = Precision::twice;
     ClaimsTold told;
     std::string missing;  // kinds of claims that the level asked for needs and no trace has; empty if none
@@ -42,10 +44,10 @@ struct Grading {
     bool first_only = false;          // stop at the first scene on which the program is wrong
 };
 
-/// Runs the program on the scenes and judges the runs. Stops early after two runs that exceed the limit of time. Calls `progress` before
-/// each run with the number of runs done. Throws Refused if the program cannot be started.
-ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<AdmittedScene>& scenes,
-                           const Grading& grading, const std::function<void(std::size_t)>& progress);
+/// Runs the program on the scenes of the kind that it draws in its first run, and judges the runs. Stops early after two runs that exceed the
+/// limit of time. Calls `progress` before each run with the number of runs done. Throws Refused if the program cannot be started.
+ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToGrade& scenes, const Grading& grading,
+                           const std::function<void(std::size_t)>& progress);
 
 /// Judges the text of an existing trace.
 ProgramGrade grade_trace(std::string text, const Grading& grading);

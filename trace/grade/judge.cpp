@@ -1,7 +1,10 @@
 #include "grade/judge.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "choice/method.h"
+#include "grade/floating_horizon_judge.h"
 #include "grade/warnock_judge.h"
 #include "grade/weiler_atherton_judge.h"
 #include "grade/z_buffer_judge.h"
@@ -76,9 +79,8 @@ std::string polygon_of(const EventView& event) {
 /// The first false claim becomes `wrong`. Later events are judged too, because the set of all false claims distinguishes one mistake from
 /// another.
 template <class Judge>
-void judge_by(const SceneTruth& truth, const std::vector<Event>& events, bool complete, State& state, const Words& say,
+void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, auto& state, const Words& say,
               Judgement& found) {
-    Judge judge(truth, state, found.differences, say);
     const auto add = [&](std::uint64_t step, const False& claim) {
         const std::uint64_t at = std::min<std::uint64_t>(claim.step.value_or(step), events.size());
         const std::string about = judge.place() + (at == 0 ? "" : polygon_of(events[at - 1]));
@@ -105,13 +107,39 @@ void judge_by(const SceneTruth& truth, const std::vector<Event>& events, bool co
     }
 }
 
-int open_pixels(const SceneTruth& truth) {
+/// What the judgement says of the pixels.
+void look_at_pixels(const SceneTruth& truth, const Picture& picture, Judgement& found) {
     const Area& area = truth.scene().area;
-    int open = 0;
+    found.is_plain = true;
     for (int row = area.y; row < area.bottom(); ++row) {
-        for (int column = area.x; column < area.right(); ++column) open += int(truth.seen(column, row).is_open);
+        for (int column = area.x; column < area.right(); ++column) {
+            const SeenPixel& seen = truth.seen(column, row);
+            found.open_places += int(seen.is_open);
+            found.is_plain = found.is_plain && !seen.on_outline;
+            const Color color = picture.at(column, row);
+            if (truth.allows(column, row, color)) continue;
+            found.wrong_places.push_back({column, row, color.red, color.green, color.blue});
+        }
     }
-    return open;
+}
+
+/// The same of the curves, at steps of a quarter of a column.
+void look_at_curves(const CurveTruth& truth, const std::map<int, DrawnParts>& drawn, Judgement& found) {
+    found.open_places = truth.open_columns();
+    found.is_plain = !truth.touches_on_column();
+    constexpr double step = 0.25;
+    for (int curve = 0; curve < int(truth.scene().curves.size()); ++curve) {
+        const auto parts = drawn.find(curve);
+        const auto& samples = truth.scene().curves[std::size_t(curve)].samples;
+        for (int place = 4 * samples.front().x; place <= 4 * samples.back().x; ++place) {
+            const double x = place * step;
+            const auto holds = [x](const auto& part) { return part.first <= x && x <= part.second; };
+            const bool is_drawn =
+                parts != drawn.end() && std::any_of(parts->second.begin(), parts->second.end(), holds);
+            const bool is_right = is_drawn ? truth.may_show(curve, x) : truth.may_be_left_out(curve, x);
+            if (!is_right) found.wrong_places.push_back({curve, place, int(is_drawn)});
+        }
+    }
 }
 
 }  // namespace
@@ -132,6 +160,8 @@ Bilingual words_of(Difference difference) {
         case Difference::recursion: return {"recursion instead of the stack", "рекурсия вместо стека"};
         case Difference::breadth_first: return {"the windows breadth first", "окна рассматриваются в ширину"};
         case Difference::other_windows: return {"other windows", "другие окна"};
+        case Difference::touching:
+            return {"curves that touch a horizon are hidden", "кривые, касающиеся горизонта, не видны"};
     }
     return {};
 }
@@ -151,17 +181,47 @@ Judgement judge(const TraceHeader& header, const std::vector<Event>& events, boo
                 const Words& words) {
     const SceneTruth truth(header.scene, precision);
     State state(header);
-    Judgement found{std::nullopt, {}, {}, state.picture(), open_pixels(truth)};
+    Judgement found;
     if (precision == Precision::single) found.differences.insert(Difference::single_precision);
+    const auto by = [&]<class Judge>() {
+        Judge judge(truth, state, found.differences, words);
+        judge_by(judge, events, complete, state, words, found);
+    };
     if (header.method == Method::warnock) {
-        judge_by<grading::WarnockJudge>(truth, events, complete, state, words, found);
+        by.operator()<grading::WarnockJudge>();
     } else if (header.method == Method::weiler_atherton) {
-        judge_by<grading::WeilerAthertonJudge>(truth, events, complete, state, words, found);
+        by.operator()<grading::WeilerAthertonJudge>();
     } else {
-        judge_by<grading::ZBufferJudge>(truth, events, complete, state, words, found);
+        by.operator()<grading::ZBufferJudge>();
     }
-    found.picture = state.picture();
+    look_at_pixels(truth, state.picture(), found);
     return found;
+}
+
+Judgement judge(const FloatingHorizonHeader& header, const std::vector<Event>& events, bool complete,
+                Precision precision, const Words& words) {
+    const CurveTruth truth(header.scene.curves, precision);
+    FloatingHorizonState state(header);
+    Judgement found;
+    if (precision == Precision::single) found.differences.insert(Difference::single_precision);
+    grading::FloatingHorizonJudge judge(truth, state, found.differences, words);
+    judge_by(judge, events, complete, state, words, found);
+    look_at_curves(truth, judge.drawn(), found);
+    return found;
+}
+
+Judgement judge(const AnyHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
+                const Words& words) {
+    return std::visit([&](const auto& each) { return judge(each, events, complete, precision, words); }, header);
+}
+
+std::string_view method_of(const AnyHeader& header) {
+    const auto* polygons = std::get_if<TraceHeader>(&header);
+    return polygons ? method_names[std::size_t(polygons->method)] : floating_horizon_method;
+}
+
+const std::string& kernel_of(const AnyHeader& header) {
+    return std::visit([](const auto& each) -> const std::string& { return each.kernel; }, header);
 }
 
 }  // namespace vidno

@@ -7,16 +7,27 @@
 /// the final picture.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "format/event.h"
+#include "format/floating_horizon_trace.h"
 #include "format/trace_writer.h"
 #include "grade/words.h"
 
 namespace vidno {
+
+/// The header of a trace of polygons or of curves.
+using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
+
+/// The method of the trace, by its name.
+std::string_view method_of(const AnyHeader& header);
+/// The kernel, by its name.
+const std::string& kernel_of(const AnyHeader& header);
 
 /// The kind of a false claim. It tells whether a smaller scene shows the same failure, and which usual mistake a program makes.
 enum class Symptom : unsigned char {
@@ -45,6 +56,7 @@ enum class Symptom : unsigned char {
     hole,         // a pixel on a common edge belongs to no polygon
     colour,       // any other wrong colour
     not_painted,  // a pixel that was never painted
+    height,       // not the curve's
     horizon,      // not that of the curves before
     visibility,   // a hidden part of a curve is drawn, or a visible part is not
     region,       // not the visible part of the polygon
@@ -77,7 +89,8 @@ enum class Difference : unsigned char {
     single_precision,
     recursion,
     breadth_first,
-    other_windows
+    other_windows,
+    touching
 };
 
 Bilingual words_of(Difference difference);
@@ -86,13 +99,20 @@ struct Judgement {
     std::optional<Wrong> wrong;
     std::vector<FalseClaim> false_claims;  // all of them; the first belongs to `wrong`
     std::set<Difference> differences;
-    Picture picture;      // after the last event
-    int open_pixels = 0;  // where rounding may decide which of two polygons shows
+    /// Of a complete run: for each wrong pixel its column, its row and the colour that it shows; for each wrong place of a curve the
+    /// curve, four times x, and whether it is drawn.
+    std::vector<std::array<int, 5>> wrong_places;
+    int open_places = 0;    // pixels or columns where rounding may decide what shows
+    bool is_plain = false;  // no pixel centre lies on an outline, and no curve meets a horizon over a column
 };
 
 /// Judges the events of a trace that a program with numbers of that precision wrote. If `complete`, the run reached its end, so the final
 /// picture must be right too. `words` chooses the language of the messages.
 Judgement judge(const TraceHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
+                const Words& words = Words());
+Judgement judge(const FloatingHorizonHeader& header, const std::vector<Event>& events, bool complete,
+                Precision precision, const Words& words = Words());
+Judgement judge(const AnyHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
                 const Words& words = Words());
 
 /// The precision of the program that wrote these traces: single if it says so, or if it wrote at least 100 numbers and a float holds each.

@@ -1,10 +1,9 @@
 #include "grade/mistakes.h"
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <set>
 
+#include "run/floating_horizon_run.h"
 #include "run/run.h"
 #include "scene/exact_scene.h"
 
@@ -34,93 +33,76 @@ private:
     const Kinds& kinds_;
 };
 
-Judgement judgement_of(Deviation deviation, const TraceHeader& of, const Kinds& kinds, Precision precision) {
+Judgement judgement_of(Deviation deviation, const AnyHeader& of, const Kinds& kinds, Precision precision) {
+    Filter filter(kinds);
+    const auto* curves = std::get_if<FloatingHorizonHeader>(&of);
+    const auto* polygons = std::get_if<TraceHeader>(&of);
     // The mistakes run in `double` alone.
     const NamedKernel single = *kernel_named("float");
-    const bool in_single = precision == Precision::single && single.choice->runs(of.method, deviation);
+    const bool in_single =
+        precision == Precision::single &&
+        (curves ? single.choice->runs_floating_horizon(deviation) : single.choice->runs(polygons->method, deviation));
     const NamedKernel kernel = in_single ? single : *kernel_named("double");
-    Filter filter(kinds);
-    const AdmittedScene scene = exact_scene::admit(of.scene);
-    run({of.method, kernel, deviation, scene, Detail::signs, &filter});
     // Level `windows` has no call stack, so the state accepts events without their calls.
-    const TraceHeader header{of.method, Edition(deviation), kernel.name(), Detail::windows, of.scene};
+    if (curves) {
+        run(FloatingHorizonRequest{kernel, deviation, curves->scene.curves, Detail::signs, &filter});
+        const FloatingHorizonHeader header{Edition(deviation), kernel.name(), Detail::windows, curves->scene};
+        return judge(header, filter.events, true, precision);
+    }
+    const AdmittedScene scene = exact_scene::admit(polygons->scene);
+    run(RunRequest{polygons->method, kernel, deviation, scene, Detail::signs, &filter});
+    const TraceHeader header{polygons->method, Edition(deviation), kernel.name(), Detail::windows, polygons->scene};
     return judge(header, filter.events, true, precision);
 }
 
-/// The wrong pixels of a picture: column, row, red, green, blue.
-std::vector<std::array<int, 5>> wrong_pixels(const SceneTruth& truth, const Picture& picture) {
-    std::vector<std::array<int, 5>> wrong;
-    const Area& area = truth.scene().area;
-    for (int row = area.y; row < area.bottom(); ++row) {
-        for (int column = area.x; column < area.right(); ++column) {
-            const Color color = picture.at(column, row);
-            if (!truth.allows(column, row, color)) wrong.push_back({column, row, color.red, color.green, color.blue});
-        }
+/// The deviations of the method that made the trace.
+std::vector<Deviation> candidates_for(const AnyHeader& header) {
+    std::vector<Deviation> candidates;
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const Edition edition{Deviation(i)};
+        const auto* polygons = std::get_if<TraceHeader>(&header);
+        if (polygons ? has_text(edition, polygons->method) : has_text_of_curves(edition))
+            candidates.push_back(Deviation(i));
     }
-    return wrong;
+    // A student makes a usual mistake more often than a mistake of the printed text.
+    std::stable_partition(candidates.begin(), candidates.end(),
+                          [](Deviation deviation) { return !choice_of(deviation).mistake.empty(); });
+    return candidates;
 }
 
-bool has_outline_on_centre(const SceneTruth& truth) {
-    const Area& area = truth.scene().area;
-    for (int row = area.y; row < area.bottom(); ++row) {
-        for (int column = area.x; column < area.right(); ++column) {
-            if (truth.seen(column, row).on_outline) return true;
-        }
-    }
-    return false;
-}
-
-/// An observation with what a comparison needs.
-struct Compared {
-    const Observation* observed;
-    std::unique_ptr<SceneTruth> truth;
-    std::vector<std::array<int, 5>> wrong;
-    bool is_plain;  // no pixel centre lies on an outline
-
-    bool is_wrong() const { return observed->judgement->wrong.has_value(); }
-};
-
-bool does_the_same(Deviation deviation, const Compared& on, const Kinds& kinds, Precision precision) {
-    const auto made = judgement_of(deviation, *on.observed->header, kinds, precision);
-    if (wrong_pixels(*on.truth, made.picture) != on.wrong) return false;
-    if (!on.is_wrong()) return !made.wrong;
+bool does_the_same(Deviation deviation, const Observation& observed, const Kinds& kinds, Precision precision) {
+    const Judgement& own = *observed.judgement;
+    const Judgement made = judgement_of(deviation, *observed.header, kinds, precision);
+    if (made.wrong_places != own.wrong_places) return false;
+    if (!own.wrong) return !made.wrong;
     const auto& claims = made.false_claims;
-    return std::find(claims.begin(), claims.end(), on.observed->judgement->false_claims.front()) != claims.end();
+    return std::find(claims.begin(), claims.end(), own.false_claims.front()) != claims.end();
 }
 
 }  // namespace
 
 std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, Precision precision) {
-    std::vector<Compared> cases;
+    std::vector<Observation> cases;
     Kinds kinds;
     for (const auto& each : observed) {
         for (const auto& event : *each.events) kinds.insert(event.place());
-        if (!each.complete) continue;
-        auto truth = std::make_unique<SceneTruth>(each.header->scene, precision);
-        auto wrong = wrong_pixels(*truth, each.judgement->picture);
-        const bool is_plain = !has_outline_on_centre(*truth);
-        cases.push_back({&each, std::move(truth), std::move(wrong), is_plain});
+        if (each.complete) cases.push_back(each);
     }
     kinds.erase(event_place<event::Call>);
-    const bool any_plain =
-        std::any_of(cases.begin(), cases.end(), [](const Compared& each) { return each.is_plain && each.is_wrong(); });
-    std::erase_if(cases, [&](const Compared& each) { return any_plain ? !each.is_plain : !each.is_wrong(); });
+    const auto is_wrong = [](const Observation& each) { return each.judgement->wrong.has_value(); };
+    const bool any_plain = std::any_of(cases.begin(), cases.end(), [&](const Observation& each) {
+        return each.judgement->is_plain && is_wrong(each);
+    });
+    std::erase_if(cases,
+                  [&](const Observation& each) { return any_plain ? !each.judgement->is_plain : !is_wrong(each); });
     // Wrong runs first: most deviations differ there, so the search rejects them early.
-    std::stable_partition(cases.begin(), cases.end(), [](const Compared& each) { return each.is_wrong(); });
-    if (cases.empty() || !cases.front().is_wrong() || kinds.empty()) return std::nullopt;
+    std::stable_partition(cases.begin(), cases.end(), is_wrong);
+    if (cases.empty() || !is_wrong(cases.front()) || kinds.empty()) return std::nullopt;
 
-    const Method method = cases.front().observed->header->method;
-    std::vector<Deviation> candidates;
-    for (std::size_t i = 0; i < deviations.size(); ++i) {
-        if (has_text(Edition(Deviation(i)), method)) candidates.push_back(Deviation(i));
-    }
-    // A student makes a usual mistake more often than a mistake of the printed text.
-    std::stable_partition(candidates.begin(), candidates.end(),
-                          [](Deviation deviation) { return !choice_of(deviation).mistake.empty(); });
-    for (const Deviation deviation : candidates) {
+    for (const Deviation deviation : candidates_for(*cases.front().header)) {
         const std::size_t needed = any_plain ? cases.size() : (2 * cases.size() + 2) / 3;
         std::size_t agree = 0, left = cases.size();
-        for (const Compared& each : cases) {
+        for (const Observation& each : cases) {
             if (agree + left < needed) break;
             agree += std::size_t(does_the_same(deviation, each, kinds, precision));
             --left;

@@ -7,8 +7,8 @@ namespace vidno {
 
 namespace {
 
-std::string quoted(const Scene& scene, const Words& say) {
-    return scene.name.empty() ? say({"a scene", "одна сцена"}) : say({"\"{}\"", "«{}»"}, scene.name);
+std::string quoted(const std::string& name, const Words& say) {
+    return name.empty() ? say({"a scene", "одна сцена"}) : say({"\"{}\"", "«{}»"}, name);
 }
 
 std::string place_of(const Wrong& wrong, const Words& say) {
@@ -34,7 +34,7 @@ std::string line_of(const SceneGrade& grade, const Grading& grading) {
     const Bilingual verdict = !grade.judgement  ? Bilingual{"not judged ", "не проверено "}
                               : failure.empty() ? Bilingual{"right      ", "верно         "}
                                                 : Bilingual{"wrong      ", "неверно       "};
-    return "  " + say(verdict) + grade.scene.name + (failure.empty() ? "" : ": " + failure) + "\n";
+    return "  " + say(verdict) + name_of(grade.scene) + (failure.empty() ? "" : ": " + failure) + "\n";
 }
 
 std::string scenes_in_words(int count, const Words& say) {
@@ -48,8 +48,8 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
     for (const auto& each : grade.scenes) {
         if (!each.judgement) continue;
         for (const Difference difference : each.judgement->differences) ++scenes[difference];
-        open += each.judgement->open_pixels;
-        open_scenes += int(each.judgement->open_pixels > 0);
+        open += each.judgement->open_places;
+        open_scenes += int(each.judgement->open_places > 0);
     }
     // On scenes in which no window is split twice, breadth first cannot be distinguished from recursion.
     if (scenes.contains(Difference::breadth_first)) scenes.erase(Difference::recursion);
@@ -58,9 +58,16 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
     for (const auto& [difference, count] : scenes)
         text += "  " + say(words_of(difference)) + " (" + scenes_in_words(count, say) + ")\n";
     if (open > 0) {
-        text += say({"\nLeft open: {} pixels ({}), where two depths differ by no more than {} rounds.\n",
-                     "\nНе проверено: пикселей {} ({}), где глубины различаются не больше, чем округляет {}.\n"},
-                    open, scenes_in_words(open_scenes, say), grade.precision == Precision::single ? "float" : "double");
+        const bool of_curves = std::holds_alternative<Surface>(grade.scenes.front().scene);
+        text += say(
+            of_curves
+                ? Bilingual{"\nLeft open: {} columns ({}), where a curve is off a horizon by no more than {} rounds.\n",
+                            "\nНе проверено: столбцов {} ({}), где кривая отстоит от горизонта не больше, чем "
+                            "округляет {}.\n"}
+                : Bilingual{"\nLeft open: {} pixels ({}), where two depths differ by no more than {} rounds.\n",
+                            "\nНе проверено: пикселей {} ({}), где глубины различаются не больше, чем округляет "
+                            "{}.\n"},
+            open, scenes_in_words(open_scenes, say), grade.precision == Precision::single ? "float" : "double");
     }
     return text;
 }
@@ -116,7 +123,32 @@ std::string verdict_of(const ProgramGrade& grade, const Words& say) {
                    count, told);
     if (wrong == 0) return say({"\nRight, as far as told: {}.\n", "\nВерно, насколько сообщено: {}.\n"}, told);
     return say({"\nWrong on {} of {}, first on {}:\n", "\nНеверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
-               quoted(grade.first_wrong()->scene, say));
+               quoted(name_of(grade.first_wrong()->scene), say));
+}
+
+std::string in_words(const Area& area, const Words& say) {
+    return say({"  area {}\n", "  область {}\n"}, PixelRectangle{area.x, area.y, area.width, area.height});
+}
+
+std::string in_words(const Scene& scene, const Words& say) {
+    std::string text = in_words(scene.area, say);
+    for (const auto& polygon : scene.polygons) {
+        text += "  " + polygon.id;
+        for (const auto& v : polygon.vertices) text += " " + say.point(v.x, v.y, v.z);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string in_words(const Surface& surface, const Words& say) {
+    std::string text = in_words(surface.curves->area, say);
+    int curve = 0;
+    for (const auto& [samples] : surface.curves->curves) {
+        text += say({"  curve {}", "  кривая {}"}, curve++);
+        for (const auto& [x, y] : samples) text += " " + say.point(x, y);
+        text += "\n";
+    }
+    return text;
 }
 
 constexpr std::array<std::string_view, 3> verdict_names{"right", "wrong", "not judged"};
@@ -133,13 +165,13 @@ std::string name_of(Deviation deviation) {
 
 }  // namespace
 
-std::string report_of(const ProgramGrade& grade, std::size_t scenes_given, const Grading& grading) {
+std::string report_of(const ProgramGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
     std::string text;
     for (const auto& each : grade.scenes) text += line_of(each, grading);
-    if (grade.scenes.size() < scenes_given) {
+    if (grade.scenes.size() < grade.given) {
         text += say({"  Not run on the {} scenes after these.\n", "  На остальных сценах ({}) не запускалась.\n"},
-                    scenes_given - grade.scenes.size());
+                    grade.given - grade.scenes.size());
     }
     text += differences_of(grade, say) + verdict_of(grade, say);
     if (const SceneGrade* first = grade.first_wrong()) text += details_of(*first, grading);
@@ -154,15 +186,10 @@ std::string report_of(const ProgramGrade& grade, std::size_t scenes_given, const
 
 std::string report_of_smallest(const SceneGrade& smallest, const Grading& grading) {
     const Words& say = grading.say;
-    const Area& area = smallest.scene.area;
-    std::string text = say({"\nThe smallest scene that shows it:\n", "\nНаименьшая сцена, на которой это видно:\n"});
-    text += say({"  area {}\n", "  область {}\n"}, PixelRectangle{area.x, area.y, area.width, area.height});
-    for (const auto& polygon : smallest.scene.polygons) {
-        text += "  " + polygon.id;
-        for (const auto& v : polygon.vertices) text += " " + say.point(v.x, v.y, v.z);
-        text += "\n";
-    }
-    return without_controls(text + details_of(smallest, grading));
+    const std::string heading =
+        say({"\nThe smallest scene that shows it:\n", "\nНаименьшая сцена, на которой это видно:\n"});
+    const std::string scene = std::visit([&](const auto& each) { return in_words(each, say); }, smallest.scene);
+    return without_controls(heading + scene + details_of(smallest, grading));
 }
 
 std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say) {
@@ -178,7 +205,7 @@ std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say) {
             const Wrong* wrong =
                 first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
             cells.insert(cells.end(), {std::to_string(row.grade->scenes.size()), std::to_string(row.grade->wrong()),
-                                       first ? first->scene.name : "", wrong ? std::to_string(wrong->step) : "",
+                                       first ? name_of(first->scene) : "", wrong ? std::to_string(wrong->step) : "",
                                        wrong ? wrong->at : "", wrong ? wrong->told : "", wrong ? wrong->right : "",
                                        row.grade->deviation ? name_of(*row.grade->deviation) : "",
                                        in_words(row.grade->told, say), row.grade->missing});
@@ -204,7 +231,7 @@ std::string table_as_json(const std::vector<TableRow>& rows, const Words& say) {
         entry["scenes"] = row.grade->scenes.size();
         entry["wrong"] = row.grade->wrong();
         if (const SceneGrade* first = row.grade->first_wrong()) {
-            entry["first"] = {{"scene", first->scene.name}};
+            entry["first"] = {{"scene", name_of(first->scene)}};
             if (first->judgement && first->judgement->wrong) {
                 const Wrong& wrong = *first->judgement->wrong;
                 entry["first"].update(

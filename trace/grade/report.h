@@ -5,11 +5,10 @@
 
 namespace vidno {
 
-/// A line for each scene, the differences, the verdict, the first failure and the mistake if it is known. `scenes_given` is the number of
-/// scenes that the program should run on.
-std::string report_of(const ProgramGrade& grade, std::size_t scenes_given, const Grading& grading);
+/// A line for each scene, the differences, the verdict, the first failure and the mistake if it is known.
+std::string report_of(const ProgramGrade& grade, const Grading& grading);
 
-/// The smallest scene that shows the failure: its area, its polygons and the failure.
+/// The smallest scene that shows the failure: its area, its polygons or curves, and the failure.
 std::string report_of_smallest(const SceneGrade& smallest, const Grading& grading);
 
 /// A program of a folder. If it could not be judged, it has no grade and `reason` says why.

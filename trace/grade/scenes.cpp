@@ -81,6 +81,32 @@ Scene convex_polygons(RandomPolygons& random) {
     return admitted(scene);
 }
 
+Surface surface(std::string name, const Area& area, const std::vector<std::vector<Sample>>& curves) {
+    CurveScene made{area, {}};
+    for (const auto& samples : curves) made.curves.push_back({samples});
+    return {std::move(name), admit(std::move(made))};
+}
+
+/// Two to six curves, some of which leave out columns at the sides. With few heights they touch, and meet on columns.
+CurveScene random_curves(RandomPolygons& random, bool few_heights) {
+    CurveScene scene{{random.whole(-9, 9), random.whole(-9, 9), random.whole(3, 14), random.whole(4, 14)}, {}};
+    const Area& area = scene.area;
+    const auto height = [&] {
+        return few_heights ? area.y + double(random.whole(0, 4))
+                           : area.y + random.whole(-64, 64 * (area.height + 1)) / 64.0;
+    };
+    for (int curves = random.whole(2, 6); curves > 0; --curves) {
+        const bool is_short = random.whole(0, 2) == 0;
+        const int first = is_short ? random.whole(area.x, area.right() - 2) : area.x;
+        const int last = is_short ? random.whole(first + 1, area.right() - 1) : area.right() - 1;
+        Curve curve;
+        for (int x = first; x < last; x += random.whole(1, 5)) curve.samples.push_back({x, height()});
+        curve.samples.push_back({last, height()});
+        scene.curves.push_back(std::move(curve));
+    }
+    return scene;
+}
+
 }  // namespace
 
 std::vector<AdmittedScene> scenes_to_grade() {
@@ -237,6 +263,61 @@ std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count) {
         scenes.push_back(exact_scene::admit(std::move(scene)));
     }
     return scenes;
+}
+
+std::vector<Surface> surfaces_to_grade() {
+    constexpr Area area{0, 0, 12, 12};
+    return {
+        surface("One curve", area, {{{0, 8}, {4, 3.25}, {11, 7.5}}}),
+        surface("A farther curve above", area, {{{0, 9}, {11, 8}}, {{0, 5}, {11, 3}}}),
+        surface("A farther curve below", area, {{{0, 3}, {11, 4}}, {{0, 8}, {5, 9.5}, {11, 7}}}),
+        surface("A curve between two others", area, {{{0, 2}, {11, 3}}, {{0, 10}, {11, 9}}, {{0, 5}, {6, 7}, {11, 4}}}),
+        surface("Behind a hill", area, {{{0, 9}, {5, 2.5}, {11, 9}}, {{0, 6}, {11, 6.5}}}),
+        surface("Through both horizons", area, {{{0, 8}, {11, 8}}, {{0, 4}, {11, 4}}, {{0, 1}, {11, 11}}}),
+        surface("Out of the lower horizon and back", area,
+                {{{0, 7}, {11, 7}}, {{0, 2}, {11, 3}}, {{0, 5}, {4, 9.5}, {9, 10}, {11, 5}}}),
+        surface("A peak between two samples", area, {{{0, 9}, {5, 9}, {6, 2}, {7, 9}, {11, 9}}, {{0, 6}, {11, 6.25}}}),
+        surface("Steep curves", area, {{{0, 11}, {1, 1}, {2, 10}, {11, 2}}, {{0, 3}, {3, 9}, {4, 0.5}, {11, 8}}}),
+        surface("Curves of different columns", area,
+                {{{3, 8}, {8, 7}}, {{1, 6}, {11, 5}}, {{0, 4}, {6, 9}, {10, 4.5}}}),
+        surface("Behind the side edges", area, {{{4, 10}, {8, 10}}, {{1, 3}, {11, 2}}, {{0, 6}, {11, 7}}}),
+        surface("Side edges over each other", area,
+                {{{5, 4}, {7, 4}}, {{0, 9}, {3, 9}}, {{6, 2}, {11, 9}}, {{2, 6}, {8, 6}}}),
+        surface("Apart from each other", area, {{{0, 6}, {3, 5}}, {{8, 7}, {11, 6}}, {{2, 4}, {9, 8}}}),
+        surface("Beyond the upper side of the area", area, {{{0, -6}, {11, -5}}, {{0, -3}, {11, -8}}}),
+        surface("Beyond the lower side of the area", area, {{{0, 18}, {11, 17}}, {{0, 15}, {5, 20}, {11, 14}}}),
+        surface("The same curve twice", area,
+                {{{0, 8}, {5, 3}, {11, 7}}, {{0, 8}, {5, 3}, {11, 7}}, {{0, 6}, {11, 5}}}),
+        surface("A curve that touches a horizon", area,
+                {{{0, 8}, {11, 8}}, {{0, 4}, {11, 4}}, {{0, 6}, {5, 4}, {11, 6}}, {{0, 2}, {4, 4}, {7, 4}, {11, 1}}}),
+        surface("Where the horizons meet", area, {{{0, 5}, {11, 5}}, {{0, 5}, {4, 8}, {8, 5}, {11, 2}}}),
+        surface("Crossings on columns", area,
+                {{{0, 6}, {11, 6}}, {{0, 2}, {8, 10}, {11, 7}}, {{0, 4}, {4, 8}, {11, 1}}}),
+        surface("A curve that rises over itself", {0, 0, 6, 8},
+                {{{0, 6}, {5, 6}}, {{0, 2}, {5, 2}}, {{0, 1}, {2, 0.5}, {5, 5}}}),
+        surface("Two columns", {0, 0, 2, 6}, {{{0, 4}, {1, 2}}, {{0, 2}, {1, 4}}, {{0, 1}, {1, 5}}}),
+        surface("Left of zero", {-7, -4, 9, 8}, {{{-7, 2}, {1, 1}}, {{-5, -2}, {0, 3}}, {{-6, 1.5}, {1, -3}}}),
+        surface("A millionth apart", area,
+                {{{0, 6}, {11, 6}}, {{0, 6 - gap}, {11, 6 + gap}}, {{0, 6 + gap}, {11, 6 - 2 * gap}}}),
+        surface("Six waves", area,
+                {{{0, 9}, {2, 7.75}, {5, 9.5}, {8, 8}, {11, 9}},
+                 {{0, 8}, {3, 9.25}, {6, 6.5}, {9, 8.75}, {11, 7}},
+                 {{0, 7.5}, {2, 6}, {4, 8}, {7, 6.25}, {11, 8}},
+                 {{0, 6}, {3, 7.25}, {5, 5}, {8, 7}, {11, 5.5}},
+                 {{0, 6.5}, {4, 4.25}, {7, 6.75}, {11, 4}},
+                 {{0, 4}, {2, 6.25}, {6, 3.5}, {9, 5.75}, {11, 3}}}),
+    };
+}
+
+std::vector<Surface> random_surfaces_to_grade(unsigned seed, int count) {
+    RandomPolygons random{std::mt19937(seed)};
+    std::vector<Surface> surfaces;
+    for (int i = 0; i < count; ++i) {
+        const bool ties = i % 2 == 1;
+        surfaces.push_back({"Random, " + std::to_string(i + 1) + (ties ? ": few heights" : ": any heights"),
+                            admit(random_curves(random, ties))});
+    }
+    return surfaces;
 }
 
 }  // namespace vidno

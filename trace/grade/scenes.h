@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "vidno/admitted.h"
+#include "scene/surface.h"
 
 namespace vidno {
 
@@ -13,5 +13,15 @@ std::vector<AdmittedScene> scenes_to_grade();
 /// `count` random scenes, the same for a seed on every machine. Scenes of convex polygons in an area of any size alternate with scenes of
 /// the families in which vertices lie on pixel centres, on edges and on each other.
 std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count);
+
+/// The same for the floating horizon.
+std::vector<Surface> surfaces_to_grade();
+std::vector<Surface> random_surfaces_to_grade(unsigned seed, int count);
+
+/// Scenes of both kinds. A program draws those of one.
+struct ScenesToGrade {
+    std::vector<AdmittedScene> polygons;
+    std::vector<Surface> surfaces;
+};
 
 }  // namespace vidno

@@ -59,26 +59,57 @@ std::string scene_text(const Scene& scene) {
     return text.string();
 }
 
+std::string scene_text(const Surface& surface) {
+    Text text;
+    append_name(text, surface.name);
+    const Area& area = surface.curves->area;
+    append_numbers(text, {double(area.x), double(area.y), double(area.width), double(area.height)});
+    append_numbers(text, {double(surface.curves->curves.size())});
+    for (const auto& [samples] : surface.curves->curves) {
+        append_numbers(text, {double(samples.size())});
+        for (const auto& [x, y] : samples) append_numbers(text, {double(x), y});
+    }
+    return text.string();
+}
+
+DrawnScene scene_of(const AnyHeader& header) {
+    return std::visit([](const auto& each) -> DrawnScene { return each.scene; }, header);
+}
+
+const std::string& name_of(const DrawnScene& scene) {
+    return std::visit([](const auto& each) -> const std::string& { return each.name; }, scene);
+}
+
 StudentRun read_student_trace(std::string text) {
     StudentRun run;
     run.trace = std::move(text);
     try {
-        TraceReader reader(LineReader::of_text(run.trace), "trace");
-        run.header = reader.header();
-        while (const auto event = reader.next()) run.events.push_back(event->copy());
-        run.complete = reader.end() && !reader.end()->partial;
+        AnyTraceReader any = open_trace(LineReader::of_text(run.trace), "trace");
+        std::visit(
+            [&](auto& reader) {
+                run.header = reader.header();
+                while (const auto event = reader.next()) run.events.push_back(event->copy());
+                run.complete = reader.end() && !reader.end()->partial;
+            },
+            any);
     } catch (const Refused& refused) {
         run.unreadable = refused.what();
     }
     return run;
 }
 
-StudentRun run_student(const std::filesystem::path& program, const Scene& scene, const Limits& limits) {
+StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
+                       const Limits& limits) {
     const TemporaryFolder folder;
-    const auto scene_file = folder.path() / "scene.txt", trace_file = folder.path() / "trace.jsonl";
-    std::ofstream(scene_file, std::ios::binary) << scene_text(scene);
-    const Ended ended = run_contained(
-        program, folder.path(), {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
+    const auto trace_file = folder.path() / "trace.jsonl";
+    std::vector<std::pair<std::string, std::string>> environment{{"VIDNO_TRACE", trace_file.string()}};
+    for (const DrawnScene& scene : scenes) {
+        const bool is_surface = std::holds_alternative<Surface>(scene);
+        const auto file = folder.path() / (is_surface ? "surface.txt" : "scene.txt");
+        std::ofstream(file, std::ios::binary) << std::visit([](const auto& each) { return scene_text(each); }, scene);
+        environment.emplace_back(is_surface ? "VIDNO_SURFACE" : "VIDNO_SCENE", file.string());
+    }
+    const Ended ended = run_contained(program, folder.path(), environment, limits);
     StudentRun run;
     // A symbolic link could lead to a file that is not the program's own.
     const auto kind = std::filesystem::symlink_status(trace_file).type();
@@ -93,6 +124,12 @@ bool same_scene(const Scene& told, const Scene& given) {
     for (const auto& polygon : told.polygons) ++surplus[sorted_vertices(polygon)];
     for (const auto& polygon : given.polygons) --surplus[sorted_vertices(polygon)];
     return std::all_of(surplus.begin(), surplus.end(), [](const auto& each) { return each.second == 0; });
+}
+
+bool same_scene(const DrawnScene& told, const DrawnScene& given) {
+    if (told.index() != given.index()) return false;
+    if (const auto* surface = std::get_if<Surface>(&told)) return surface->curves == std::get<Surface>(given).curves;
+    return same_scene(std::get<Scene>(told), std::get<Scene>(given));
 }
 
 }  // namespace vidno

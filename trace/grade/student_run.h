@@ -8,23 +8,37 @@ namespace vidno {
 
 struct StudentRun {
     Ended ended;
-    std::string trace;                  // the text of the file; empty if there is none
-    std::optional<TraceHeader> header;  // none if it cannot be read
+    std::string trace;                // the text of the file; empty if there is none
+    std::optional<AnyHeader> header;  // none if it cannot be read
     std::vector<Event> events;
     bool complete = false;   // the trace has its last line
     std::string unreadable;  // why reading stopped early; empty if it did not
 };
 
+/// A scene that a program is to draw, or has drawn.
+using DrawnScene = std::variant<Scene, Surface>;
+
+/// The scene of a trace.
+DrawnScene scene_of(const AnyHeader& header);
+/// Its name.
+const std::string& name_of(const DrawnScene& scene);
+
 /// The scene as `scene_to_draw` of lessons/student/vidno_student.h reads it.
 std::string scene_text(const Scene& scene);
+/// The surface as `surface_to_draw` reads it.
+std::string scene_text(const Surface& surface);
 
 /// Reads a trace of the kernel `float` or `double`, as far as it is readable.
 StudentRun read_student_trace(std::string text);
 
-/// Runs the program on the scene, contained, and reads its trace. Throws Refused if the program cannot be started.
-StudentRun run_student(const std::filesystem::path& program, const Scene& scene, const Limits& limits);
+/// Offers the scenes, at most one of each kind, to the program. Runs it, contained, and reads its trace. Throws Refused if the program
+/// cannot be started.
+StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
+                       const Limits& limits);
 
 /// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either direction.
 bool same_scene(const Scene& told, const Scene& given);
+/// The same for scenes of either kind. Curves must be the same.
+bool same_scene(const DrawnScene& told, const DrawnScene& given);
 
 }  // namespace vidno

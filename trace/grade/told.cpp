@@ -27,6 +27,17 @@ const std::vector<ClaimKind>& claim_kinds() {
         {{"painted runs", "закрашиваний"}, "weiler-atherton", windows, false, {"paint"}},
         {{"clipped pieces", "отсечённых частей"}, "weiler-atherton", polygons, true, {"clipped", "cut_to_area"}},
         {{"depths", "глубин"}, "weiler-atherton", polygons, true, {"behind", "depth"}},
+        {{"curves", "кривых"}, "floating-horizon", windows, true, {"curve"}},
+        {{"lines", "линий"}, "floating-horizon", windows, true, {"draw_line"}},
+        {{"side edges", "боковых рёбер"}, "floating-horizon", polygons, false, {"side_edge"}},
+        {{"flags", "флагов"}, "floating-horizon", polygons, true, {"visibility"}},
+        {{"intersections", "пересечений"}, "floating-horizon", polygons, false, {"intersection"}},
+        {{"changed horizons", "изменений горизонтов"},
+         "floating-horizon",
+         polygons,
+         true,
+         {"horizon", "raise", "lower"}},
+        {{"heights", "высот"}, "floating-horizon", signs, true, {"height"}},
     };
     return kinds;
 }

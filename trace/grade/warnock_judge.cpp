@@ -500,11 +500,13 @@ void WarnockJudge::judge(const event::PointColor& e) {
 
 void WarnockJudge::judge(const event::ClipBegin& e) {
     side_.reset();
+    sides_ = 0;
     clipped_ = e.polygon.index;
 }
 
 void WarnockJudge::judge(const event::ClipSide& e) {
     side_ = {e.from, e.to};
+    ++sides_;
     const auto corners = corners_of(window_);
     const auto is_corner = [&](const ValuePoint& p) {
         return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) {
@@ -514,11 +516,26 @@ void WarnockJudge::judge(const event::ClipSide& e) {
     };
     if (is_corner(e.from) && is_corner(e.to) &&
         (e.from.x.number == e.to.x.number) != (e.from.y.number == e.to.y.number))
-        return;
-    throw False{Symptom::clip,
-                say({"side {} of the window {} goes from {} to {}", "сторона {} окна {} идёт от {} до {}"}, e.side,
-                    window_, say.point(e.from.x.number, e.from.y.number), say.point(e.to.x.number, e.to.y.number)),
-                say({"that is no side of it", "такой стороны у него нет"})};
+        return judge_side_number(e);
+    throw False{Symptom::clip, side_in_words(e), say({"that is no side of it", "такой стороны у него нет"})};
+}
+
+std::string WarnockJudge::side_in_words(const event::ClipSide& e) const {
+    return say({"side {} of the window {} goes from {} to {}", "сторона {} окна {} идёт от {} до {}"}, e.side, window_,
+               say.point(e.from.x.number, e.from.y.number), say.point(e.to.x.number, e.to.y.number));
+}
+
+/// The sides are numbered in the order in which they clip, or as in PolygonClip: upper, left, lower and right.
+void WarnockJudge::judge_side_number(const event::ClipSide& e) const {
+    const bool upright = e.from.x.number == e.to.x.number;
+    const bool is_first =
+        truth().same_coordinate(upright ? e.from.x.number : e.from.y.number, upright ? window_.x : window_.y);
+    const int by_place = (is_first ? 1 : 3) + (upright ? 1 : 0);
+    if (e.side == sides_ || e.side == by_place) return;
+    throw False{Symptom::clip, side_in_words(e),
+                say({"it is side {} by its place, and the polygon is clipped by side number {} now",
+                     "по положению это сторона {}, а по порядку отсечения — {}"},
+                    by_place, sides_)};
 }
 
 /// 1 if a vertex lies on the outer side of the current clipping line, -1 if on the inner side, 0 if on the line or if there is no line.
@@ -596,6 +613,7 @@ void WarnockJudge::judge(const event::ClipResult& e) {
             list, [](const auto& v) { return v.x; }, [](const auto& v) { return v.y; });
     };
     if (turn(vertices) * turn(scene().polygons[std::size_t(p)].vertices) < 0) note(Difference::order_of_vertices);
+    sides_ = 0;
     clipped_ = p;
 }
 

@@ -73,6 +73,8 @@ private:
     void judge_rows(int polygon);
     void judge_in_window(int column, int row, const std::string& told) const;
     void judge_parts();
+    void judge_side_number(const event::ClipSide& e) const;
+    std::string side_in_words(const event::ClipSide& e) const;
     bool looked_at(int polygon) const;
     int beyond_side(const ValueVertex& v) const;
     bool overlooks(int column, int row) const;
@@ -105,6 +107,7 @@ private:
     std::optional<double> nearest_of_point_;  // in PointColor
 
     std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // the side that clips now
+    int sides_ = 0;                                          // how many have clipped the polygon, with this one
     int clipped_ = -1;                                       // the polygon that is being clipped; -1 if unknown
     std::vector<event::Row> rows_;                           // since the last `draw`
     std::map<int, int> orientations_;  // for each polygon, the sign that the program gives to our positive side

@@ -5,6 +5,21 @@
 
 namespace vidno::grading {
 
+/// Rounding gives the same vertex two places, so the pieces of an outline do not meet, and what they bound is lost. That may be a sliver
+/// without area. So the run is wrong only if the visible regions are, and then this is the cause. Arithmetic in `double` does not force
+/// such a loss: a program can keep the vertices that its pieces share.
+void WeilerAthertonJudge::judge(const event::Fault& e) {
+    if (lost_.empty())
+        lost_ = say({"; at step {}, {}, {}", "; на шаге {}, {}, {}"}, std::size_t(step_),
+                    std::string(line_names[std::size_t(e.at)]), e.reason);
+}
+
+void WeilerAthertonJudge::judge(const event::Split& e) const {
+    const int p = e.polygon.index;
+    if (!truth().has_inside(p)) return;
+    for (const RegionLoops& part : {e.region, e.other}) judge_inside(p, part, say({"a part of {}", "часть {}"}, id(p)));
+}
+
 void WeilerAthertonJudge::judge(const event::Depth& e) const {
     judge_depth(e.polygon.index, e.point.x.number, e.point.y.number, e.z.number);
 }
@@ -60,6 +75,12 @@ void WeilerAthertonJudge::judge(const event::Behind& e) {
     judge_depth(e.polygon.index, e.point.x.number, e.point.y.number, e.z.number);
     judge_depth(e.clip.index, e.point.x.number, e.point.y.number, e.clip_z.number);
     judge_order(e.z.number, e.clip_z.number, e.order);
+    if (e.behind == (e.z.number < e.clip_z.number) || truth().nearly_equal(e.z.number, e.clip_z.number)) return;
+    throw False{
+        Symptom::comparison,
+        e.behind ? say({"{} is hidden by {}", "{} закрыт {}"}, id(e.polygon.index), id(e.clip.index))
+                 : say({"{} is not hidden by {}", "{} не закрыт {}"}, id(e.polygon.index), id(e.clip.index)),
+        say({"its depth is {}, the other's {}", "его глубина {}, а другого — {}"}, e.z.number, e.clip_z.number)};
 }
 
 void WeilerAthertonJudge::judge(const event::Order& e) {
@@ -81,7 +102,8 @@ void WeilerAthertonJudge::judge(const event::Show& e) {
             Symptom::region,
             say({"{} is visible in a region of area {}", "{} виден в области площадью {}"}, id(p),
                 SceneTruth::area_of(e.region)),
-            say({"{} is nearer in {} of it", "{} ближе в части площадью {}"}, id(hidden->first), hidden->second)};
+            say({"{} is nearer in {} of it", "{} ближе в части площадью {}"}, id(hidden->first), hidden->second) +
+                lost_};
     }
 }
 
@@ -108,7 +130,7 @@ void WeilerAthertonJudge::finish() {
     if (tells_regions_ && !truth().same_area(shown_, right)) {
         throw False{Symptom::region,
                     say({"the visible regions have the area {}", "площадь видимых областей {}"}, shown_),
-                    say({"the polygons cover {} of the area", "многоугольники покрывают площадь {}"}, right)};
+                    say({"the polygons cover {} of the area", "многоугольники покрывают площадь {}"}, right) + lost_};
     }
     if (!paints_ && tells_regions_) return;
     const Area& area = scene().area;

@@ -10,7 +10,8 @@ public:
     using Claims::Claims;
 
     /// Judges an event; call it before the state applies the event. Throws False.
-    void take(const EventView& event, std::uint64_t) {
+    void take(const EventView& event, std::uint64_t step) {
+        step_ = step;
         event.visit([this](const auto& e) { judge(e); });
     }
     /// Judges the visible regions together and the final picture; call it after the last event. Throws False.
@@ -21,10 +22,12 @@ public:
 
 private:
     void judge(const auto&) const {}  // the other events claim nothing, or only what one of these claims too
+    void judge(const event::Fault& e);
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Depth& e) const;
     void judge(const event::CutToArea& e) const;
     void judge(const event::Clipped& e) const;
+    void judge(const event::Split& e) const;
     void judge(const event::Behind& e);
     void judge(const event::Order& e);
     void judge(const event::Show& e);
@@ -33,6 +36,8 @@ private:
     void judge_inside(int polygon, const RegionLoops& region, const std::string& what) const;
     void judge_order(double z, double other, Sign order);
 
+    std::uint64_t step_ = 0;
+    std::string lost_;  // where an outline did not close, in words; empty if all did
     double shown_ = 0;  // the sum of the areas of visible regions
     bool tells_regions_ = false, paints_ = false;
 };

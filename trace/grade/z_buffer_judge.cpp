@@ -154,6 +154,7 @@ void ZBufferJudge::judge(const event::AelSort& e) const {
         }
         last = x;
     }
+    judge_next_end(e.next.number, e.edges);
 }
 
 /// An edge may leave AEL only after its last row.
@@ -174,6 +175,58 @@ void ZBufferJudge::judge(const event::AelDrop& e) const {
                  "оно доходит до y = {}, дальше центра следующей строки"},
                 lower)};
     }
+    std::vector<int> active;
+    for (const auto& entry : state().ael()) {
+        if (std::find(e.edges.begin(), e.edges.end(), entry.edge) == e.edges.end()) active.push_back(entry.edge);
+    }
+    judge_next_end(e.next.number, active);
+}
+
+/// Whether it is the first row whose centre lies at that height or below it. If the height is that of a centre, it may be the row after.
+/// Without a height it is a row beyond the area. The rows of a program may also end at the sides of the area.
+bool ZBufferJudge::is_next(double row, const std::optional<double>& height) const {
+    const Area& area = scene().area;
+    if (!height) return row >= area.bottom();
+    const double above = row - 0.5, below = row + 0.5;
+    const bool is_row = (above <= *height || truth().same_coordinate(above, *height)) &&
+                        (*height <= below || truth().same_coordinate(*height, below));
+    return is_row || (row == area.y && *height < below) || (row >= area.bottom() && *height > area.bottom() - 0.5);
+}
+
+/// y_Snext: the row at which the next edges of S begin.
+void ZBufferJudge::judge(const event::Leave& e) const {
+    if (!polygon_ || state().edges().empty()) return;
+    const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
+    std::optional<double> upper;
+    for (const int edge : state().edges()) {
+        judge_edge(*polygon_, edge);
+        if (std::find(e.edges.begin(), e.edges.end(), edge) != e.edges.end()) continue;
+        const double y = std::min(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
+        upper = std::min(y, upper.value_or(y));
+    }
+    if (is_next(e.next.number, upper)) return;
+    throw False{
+        Symptom::edge,
+        say({"the next edges of S begin at row {}", "следующие рёбра из S начинаются в строке {}"}, e.next.number),
+        upper ? say({"the highest of them begins at y = {}", "верхнее из них начинается при y = {}"}, *upper)
+              : say({"S is empty", "S пуст"})};
+}
+
+/// y_AELnext: the row at which the first edge of AEL has ended.
+void ZBufferJudge::judge_next_end(double next, const std::vector<int>& active) const {
+    if (!polygon_) return;
+    const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
+    std::optional<double> lower;
+    for (const int edge : active) {
+        judge_edge(*polygon_, edge);
+        const double y = std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
+        lower = std::min(y, lower.value_or(y));
+    }
+    if (is_next(next, lower)) return;
+    throw False{Symptom::edge,
+                say({"the first edge of AEL has ended at row {}", "первое ребро из AEL кончается к строке {}"}, next),
+                lower ? say({"that edge goes down to y = {}", "оно доходит до y = {}"}, *lower)
+                      : say({"AEL is empty", "AEL пуст"})};
 }
 
 void ZBufferJudge::judge(const event::ShownLine& e) {

@@ -37,6 +37,7 @@ private:
     void judge(const event::Edge& e) const;
     void judge(const event::Extent& e) const;
     void judge(const event::Scanline& e) const;
+    void judge(const event::Leave& e) const;
     void judge(const event::AelAdd& e) const;
     void judge(const event::AelStep& e) const;
     void judge(const event::AelSort& e) const;
@@ -49,6 +50,8 @@ private:
 
     void finish_polygon(int polygon);
     void judge_entry(int edge, double y, double x, double z) const;
+    void judge_next_end(double next, const std::vector<int>& active) const;
+    bool is_next(double row, const std::optional<double>& height) const;
     void judge_covered(int column, int row) const;
     void judge_shown(int column, int row);
     double height() const { return state().y() ? state().y()->number : 0; }

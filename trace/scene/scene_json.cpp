@@ -62,7 +62,7 @@ std::string read_id(const JsonNode& node, std::size_t position) {
     return id.text();
 }
 
-/// Names the z for which a polygon is refused, and the rule by which it is not convex (vidno/admission.h).
+/// Names the z for which a polygon is refused.
 void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission admission) {
     const JsonNode vertices = node.at("vertices");
     if (admission == Admission::out_of_depth_range) {
@@ -70,10 +70,7 @@ void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission a
             if (!(std::abs(polygon.vertices[i].z) <= 1)) vertices.at(i).at(2u).refuse(reason_of(admission));
         }
     }
-    std::string reason(reason_of(admission));
-    if (admission == Admission::not_convex)
-        reason += ": the outline does not go once around the convex hull of its vertices";
-    vertices.refuse(reason);
+    vertices.refuse(reason_of(admission));
 }
 
 class SceneReader {

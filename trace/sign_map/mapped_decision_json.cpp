@@ -18,7 +18,7 @@ ScenePolygon polygon_of(const JsonNode& node, auto&& vertex_of) {
     for (std::size_t i = 0; i < node.size(); ++i) polygon.vertices.push_back(vertex_of(node.at(i)));
     const auto [admission, dropped] = exact_scene::admit_polygon(polygon);
     if (admission != Admission::admitted) node.refuse(reason_of(admission));
-    if (dropped > 0) node.refuse(reason_of(Admission::not_convex));
+    if (dropped > 0) node.refuse("convex but for rounding, and a map takes only exactly convex outlines");
     if (polygon.edge_on) node.refuse("seen edge-on");
     return polygon;
 }

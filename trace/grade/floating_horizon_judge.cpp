@@ -1,0 +1,185 @@
+#include "grade/floating_horizon_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vidno::grading {
+
+std::string FloatingHorizonJudge::horizon_in_words(Side side, int x, const std::optional<double>& y) const {
+    const Bilingual name = side == Side::upper ? Bilingual{"upper", "верхнего"} : Bilingual{"lower", "нижнего"};
+    if (!y) return say({"there is no {} horizon over column {}", "{} горизонта над столбцом {} нет"}, name, x);
+    return say({"the {} horizon over column {} is at y = {}", "высота {} горизонта над столбцом {} равна {}"}, name, x,
+               *y);
+}
+
+/// A start value counts as no horizon if it is beyond every curve.
+void FloatingHorizonJudge::judge_start(Side side, const std::optional<Value>& start) const {
+    if (!start || truth_.is_beyond_all(side, start->number)) return;
+    throw False{Symptom::start,
+                side == Side::upper
+                    ? say({"the upper horizon starts at y = {}", "верхний горизонт начинается с y = {}"}, start->number)
+                    : say({"the lower horizon starts at y = {}", "нижний горизонт начинается с y = {}"}, start->number),
+                say({"a curve goes beyond that, and nothing hides it there",
+                     "кривая заходит дальше, и там её ничто не закрывает"})};
+}
+
+void FloatingHorizonJudge::judge(const event::Horizons& e) const {
+    judge_start(Side::upper, e.upper);
+    judge_start(Side::lower, e.lower);
+}
+
+void FloatingHorizonJudge::judge(const event::Curve&) {
+    if (state_.curve()) finish_curve(curve());
+}
+
+void FloatingHorizonJudge::finish_curve(int curve) const {
+    judge_drawn(curve);
+    if (tells_horizons_) judge_told_horizons(curve);
+}
+
+void FloatingHorizonJudge::judge_drawn(int curve) const {
+    const auto found = drawn_.find(curve);
+    const DrawnParts parts = found == drawn_.end() ? DrawnParts{} : found->second;
+    if (const auto x = truth_.left_out(curve, parts)) {
+        throw False{
+            Symptom::visibility,
+            say({"curve {} is done, and it is not drawn at x = {}", "кривая {} готова, а при x = {} она не нарисована"},
+                curve, *x),
+            say({"it is visible there, at y = {}", "там она видна, y = {}"}, truth_.height(curve, *x).value_or(0)),
+            last_step_};
+    }
+    if (truth_.leaves_out_touching(curve, parts)) differences_.insert(Difference::touching);
+}
+
+void FloatingHorizonJudge::judge_told_horizons(int curve) const {
+    const Area& area = truth_.scene().area;
+    const auto number = [](const std::optional<Value>& value) {
+        return value ? std::optional(value->number) : std::nullopt;
+    };
+    for (int x = area.x; x < area.right(); ++x) {
+        const auto column = std::size_t(x - area.x);
+        for (const Side side : {Side::upper, Side::lower}) {
+            const auto told = number((side == Side::upper ? state_.upper() : state_.lower())[column]);
+            if (truth_.is_horizon(curve, When::after, side, x, told)) continue;
+            throw False{
+                Symptom::horizon,
+                say({"curve {} is done, and {}", "кривая {} готова, {}"}, curve, horizon_in_words(side, x, told)),
+                horizon_in_words(side, x, truth_.horizon(curve, When::after, side, x)), last_step_};
+        }
+    }
+}
+
+void FloatingHorizonJudge::finish() {
+    if (state_.curve()) finish_curve(curve());
+    for (int c = 0; c < int(truth_.scene().curves.size()); ++c) judge_drawn(c);
+}
+
+void FloatingHorizonJudge::judge(const event::SideEdge& e) const {
+    if (!state_.curve()) return;
+    const auto& samples = truth_.scene().curves[std::size_t(curve())].samples;
+    const bool is_left = e.at == Line::FH3;
+    const Sample& end = is_left ? samples.front() : samples.back();
+    const auto& [x, y] = e.sample;
+    if (x == end.x && truth_.nearly_equal(y, end.y)) return;
+    throw False{Symptom::edge,
+                is_left ? say({"the left edge comes to {}", "левое ребро доходит до {}"}, say.point(x, y))
+                        : say({"the right edge comes to {}", "правое ребро доходит до {}"}, say.point(x, y)),
+                say({"the end of curve {} there is {}", "конец кривой {} там — {}"}, curve(), say.point(end.x, end.y))};
+}
+
+/// Throws False unless the current curve reaches the column.
+void FloatingHorizonJudge::judge_column(int x) const {
+    if (truth_.height(curve(), x)) return;
+    const auto& samples = truth_.scene().curves[std::size_t(curve())].samples;
+    throw False{Symptom::height,
+                say({"curve {} is examined over column {}", "кривая {} рассматривается над столбцом {}"}, curve(), x),
+                say({"it reaches from column {} to {}", "она занимает столбцы от {} до {}"}, samples.front().x,
+                    samples.back().x)};
+}
+
+void FloatingHorizonJudge::judge_height(double x, double y) const {
+    if (truth_.is_on_curve(curve(), x, y)) return;
+    const auto right = truth_.height(curve(), x);
+    throw False{Symptom::height,
+                say({"at x = {} curve {} is at y = {}", "при x = {} кривая {} на высоте y = {}"}, x, curve(), y),
+                right ? say({"it is at y = {}", "она на высоте y = {}"}, *right)
+                      : say({"it does not reach that far", "она туда не доходит"})};
+}
+
+void FloatingHorizonJudge::judge(const event::Height& e) const {
+    if (!state_.curve()) return;
+    judge_column(e.x);
+    judge_height(e.x, e.y.number);
+    for (const auto& [side, value] : {std::pair(Side::upper, e.upper), std::pair(Side::lower, e.lower)}) {
+        const auto told = value ? std::optional(value->number) : std::nullopt;
+        if (truth_.is_horizon(curve(), When::before, side, e.x, told)) continue;
+        throw False{Symptom::horizon, horizon_in_words(side, e.x, told),
+                    say({"by the curves and edges before it {}", "по предыдущим кривым и рёбрам {}"},
+                        horizon_in_words(side, e.x, truth_.horizon(curve(), When::before, side, e.x)))};
+    }
+}
+
+void FloatingHorizonJudge::judge(const event::Visibility& e) const {
+    if (!state_.curve()) return;
+    judge_column(e.x);
+    if (truth_.may_be(curve(), e.x, e.flag)) return;
+    const auto upper = truth_.horizon(curve(), When::before, Side::upper, e.x),
+               lower = truth_.horizon(curve(), When::before, Side::lower, e.x);
+    const double y = truth_.height(curve(), e.x).value_or(0);
+    throw False{Symptom::visibility,
+                say({"the flag of curve {} over column {} is {}", "флаг кривой {} над столбцом {} равен {}"}, curve(),
+                    e.x, int(e.flag)),
+                upper
+                    ? say({"it is at y = {} there, and the horizons are at {} and {}",
+                           "там она на высоте y = {}, а горизонты — на {} и {}"},
+                          y, *upper, *lower)
+                    : say({"there is no horizon there yet, so it is visible", "горизонтов там ещё нет, и она видна"})};
+}
+
+void FloatingHorizonJudge::judge(const event::Intersection& e) const {
+    if (!state_.curve()) return;
+    const double x = e.point.x.number, y = e.point.y.number;
+    judge_height(x, y);
+    if (truth_.meets_horizon(curve(), x)) return;
+    throw False{
+        Symptom::visibility,
+        say({"curve {} meets a horizon at {}", "кривая {} встречает горизонт в точке {}"}, curve(), say.point(x, y)),
+        say({"no horizon passes there", "там горизонта нет"})};
+}
+
+void FloatingHorizonJudge::judge(const event::DrawLine& e) {
+    if (!state_.curve()) return;
+    const double from = std::min(e.from.x.number, e.to.x.number), to = std::max(e.from.x.number, e.to.x.number);
+    judge_height(e.from.x.number, e.from.y.number);
+    judge_height(e.to.x.number, e.to.y.number);
+    drawn_[curve()].emplace_back(from, to);
+    const auto hidden = truth_.hidden_between(curve(), from, to);
+    if (!hidden) return;
+    throw False{Symptom::visibility,
+                say({"curve {} is visible from x = {} to {}", "кривая {} видна от x = {} до {}"}, curve(), from, to),
+                say({"at x = {} it is hidden: there it is at y = {}, between the horizons",
+                     "при x = {} она закрыта: там она на высоте y = {}, между горизонтами"},
+                    *hidden, truth_.height(curve(), *hidden).value_or(0))};
+}
+
+/// A new height of a horizon must be that of the curve or of a side edge.
+void FloatingHorizonJudge::judge_raised(Side side, int x, double y, bool is_edge) {
+    tells_horizons_ = true;
+    if (!state_.curve()) return;
+    if (!is_edge && truth_.is_on_curve(curve(), x, y)) return;
+    if (truth_.is_on_edge(curve(), x, y)) return;
+    const auto right = truth_.height(curve(), x);
+    throw False{Symptom::horizon, horizon_in_words(side, x, y),
+                right && !is_edge
+                    ? say({"curve {} is at y = {} there", "кривая {} там на высоте y = {}"}, curve(), *right)
+                    : say({"no edge that leads to curve {} passes there", "через это место не идёт ребро к кривой {}"},
+                          curve())};
+}
+
+void FloatingHorizonJudge::judge(const event::Horizon& e) {
+    tells_horizons_ = true;
+    for (const auto& [x, y] : e.upper) judge_raised(Side::upper, x, y.number, e.at == Line::SE2);
+    for (const auto& [x, y] : e.lower) judge_raised(Side::lower, x, y.number, e.at == Line::SE2);
+}
+
+}  // namespace vidno::grading
