@@ -62,7 +62,7 @@ enum class Admission : unsigned char {
     not_convex,
 };
 
-/// Why a polygon is refused, for messages.
+/// Why a polygon is refused, for messages. The rules are those of admission.h.
 inline std::string_view reason_of(Admission admission) {
     switch (admission) {
         case Admission::admitted: return "admitted";
@@ -70,7 +70,8 @@ inline std::string_view reason_of(Admission admission) {
         case Admission::too_few_vertices: return "fewer than three vertices";
         case Admission::out_of_depth_range: return "z outside -1 to 1";
         case Admission::not_planar: return "not planar";
-        case Admission::not_convex: return "not convex";
+        case Admission::not_convex:
+            return "not convex: the outline does not go once around the convex hull of its vertices";
     }
     return "";
 }
