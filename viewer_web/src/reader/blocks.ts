@@ -10,7 +10,21 @@ import type { Telling } from './telling.js';
 
 /** The blocks of a story, one below the other. */
 export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
-  return all.map((block) => told(block, telling));
+  return withGalleries(all).map((group) => {
+    const parts = group.map((block) => told(block, telling));
+    return parts.length === 1 ? html`${parts}` : html`<div class="gallery">${parts}</div>`;
+  });
+}
+
+/** Puts figures that follow each other into one group, so that they stand side by side. */
+function withGalleries(all: Blocks): readonly Blocks[] {
+  const groups: Block[][] = [];
+  for (const block of all) {
+    const last = groups.at(-1);
+    if (block.is === 'figure' && last?.[0]?.is === 'figure') last.push(block);
+    else groups.push([block]);
+  }
+  return groups;
 }
 
 function told(block: Block, telling: Telling): TemplateResult {

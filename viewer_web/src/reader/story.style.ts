@@ -126,6 +126,15 @@ export const storyStyle = [
       border-radius: 4px;
       background: #ffffff;
     }
+    .gallery {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(7.5rem, 1fr));
+      gap: 0 1rem;
+    }
+    /* Many small figures: the commands would be longer than the captions. */
+    .gallery:has(> figure:nth-child(3)) vidno-command {
+      display: none;
+    }
     figcaption {
       color: var(--soft);
       font-size: 0.875em;
