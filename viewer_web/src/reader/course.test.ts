@@ -72,6 +72,22 @@ describe('the course plans', () => {
   });
 });
 
+describe('the minutes of a lesson', () => {
+  /** The estimate that COURSE.md explains. */
+  function estimate(story: string): number {
+    const [text = '', questions = ''] = story.split(/^## (?:Questions|Exercises)$/m);
+    const words = text.replace(/^ *```[^]*?^ *```$/gm, '').match(/[\p{L}\p{N}_]+/gu)?.length ?? 0;
+    const steps = new Set([...text.matchAll(/\(#([-\w]+)\)/g)].map(([, pin]) => pin)).size;
+    const asked = questions.match(/^\d+\. /gm)?.length ?? 0;
+    return 5 * Math.round((words / 100 + steps / 2 + 2 * asked) / 5);
+  }
+
+  it('are estimated from its words, the steps that it shows, and its questions', () => {
+    expect(estimate(`${'word '.repeat(1000)}[a](#a) [b](#b) [a](#a)\n\n## Questions\n\n1. Why?\n`)).toBe(15);
+    for (const id of ids) expect([id, readLesson(id).minutes]).toEqual([id, estimate(storyOf(id, 'en'))]);
+  });
+});
+
 describe('the sources', () => {
   it('are each used by a lesson', () => {
     const listed = JSON.parse(readFileSync(`${folder}sources.json`, 'utf8')) as object;
