@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "choice/edition.h"
-#include "vidno/line.h"
+#include "listings_text.h"
 
 namespace vidno {
 
@@ -60,8 +60,11 @@ std::string output_of_command(const std::string& command) {
 
 /// Whether it is the name of a procedure or the label of one of its lines.
 bool is_in_listings(const std::string& word) {
-    const auto has = [&](const auto& names) { return std::find(names.begin(), names.end(), word) != names.end(); };
-    return has(procedure_names) || has(line_names);
+    static const auto listings = nlohmann::json::parse(figures::listings_text);
+    return std::ranges::any_of(listings.at("procedures"), [&](const auto& procedure) {
+        const auto has_label = [&](const auto& line) { return line.at("at") == word; };
+        return procedure.at("name") == word || std::ranges::any_of(procedure.at("lines"), has_label);
+    });
 }
 
 class StoryReader {

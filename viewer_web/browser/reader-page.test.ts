@@ -234,7 +234,7 @@ describe('on paper', () => {
     ]);
     const isLast = await answers.evaluate((e) => {
       const parts = [...(e.parentElement?.children ?? [])];
-      return parts.indexOf(e) > parts.findLastIndex((part) => part.matches('.question, .sources'));
+      return parts.slice(parts.indexOf(e)).every((part) => !part.matches('.question, .sources'));
     });
     expect(isLast).toBe(true);
   });

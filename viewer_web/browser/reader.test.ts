@@ -148,7 +148,10 @@ describe('the text of a lesson', () => {
         text.replaceAll(/\s+/g, ' ').trim(),
       );
       expect(lines).toEqual([
-        'PW7 if 0 < k < 4: hasSurround := false X-W3'.replace('if', language === 'en' ? 'if' : 'если'),
+        'PW7 if 0 < k < 4: hasSurround := false X-W3'.replace(
+          'if',
+          language === 'en' ? 'if' : 'если',
+        ),
         'D1 z := −(a·x + b·y + d) / c',
       ]);
     }

@@ -83,8 +83,11 @@ describe('the minutes of a lesson', () => {
   }
 
   it('are estimated from its words, the steps that it shows, and its questions', () => {
-    expect(estimate(`${'word '.repeat(1000)}[a](#a) [b](#b) [a](#a)\n\n## Questions\n\n1. Why?\n`)).toBe(15);
-    for (const id of ids) expect([id, readLesson(id).minutes]).toEqual([id, estimate(storyOf(id, 'en'))]);
+    expect(
+      estimate(`${'word '.repeat(1000)}[a](#a) [b](#b) [a](#a)\n\n## Questions\n\n1. Why?\n`),
+    ).toBe(15);
+    for (const id of ids)
+      expect([id, readLesson(id).minutes]).toEqual([id, estimate(storyOf(id, 'en'))]);
   });
 });
 
@@ -126,7 +129,10 @@ describe('the terms of the glossary', () => {
   });
 
   it('would be caught: a term before its definition, and one without', () => {
-    const texts = ['# A window\n\n- see a window\n\nThe depth.\n', 'A **depth** of a **window**.\n'];
+    const texts = [
+      '# A window\n\n- see a window\n\nThe depth.\n',
+      'A **depth** of a **window**.\n',
+    ];
     const running = texts.map(runningText);
     expect(firstUse(running, ['depth*'])).toContain('The depth.');
     expect(firstUse(running, ['window'])).toBe(null);

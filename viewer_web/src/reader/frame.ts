@@ -53,7 +53,13 @@ function prerequisites({ lesson, texts, addressOf }: Telling, language: Language
   });
   const assumed = lesson.assumes?.[language];
   const all = assumed === undefined ? lessons : [...lessons, html`<li>${assumed}</li>`];
-  return all.length === 0 ? [texts.noPrerequisites] : [html`<ul>${all}</ul>`];
+  return all.length === 0
+    ? [texts.noPrerequisites]
+    : [
+        html`<ul>
+          ${all}
+        </ul>`,
+      ];
 }
 
 /** The terms that a text defines: they stand there in bold. */
@@ -91,15 +97,30 @@ function termList(terms: readonly Term[], language: Language): unknown {
 }
 
 /** The publications on which the lesson rests. */
-export function sources({ lesson, texts }: Telling, language: Language): TemplateResult | typeof nothing {
+export function sources(
+  { lesson, texts }: Telling,
+  language: Language,
+): TemplateResult | typeof nothing {
   const all = lesson.sources ?? [];
   if (all.length === 0) return nothing;
-  const reference = ({ authors, year, title, url, chapter, translations, ...more }: Source): TemplateResult => {
+  const reference = ({
+    authors,
+    year,
+    title,
+    url,
+    chapter,
+    translations,
+    ...more
+  }: Source): TemplateResult => {
     const name = html`<cite>${title}</cite>`;
-    const linked = url === undefined ? name : html`<a class="link" href=${url} target="_blank" rel="noopener noreferrer">${name}</a>`;
+    const linked =
+      url === undefined
+        ? name
+        : html`<a class="link" href=${url} target="_blank" rel="noopener noreferrer">${name}</a>`;
     const translated = translations?.[language];
     return html`<li>
-      ${authors} (${year}). ${linked}. ${more.in}${chapter === undefined ? '' : `, ${texts.chapter(chapter)}`}.${translated === undefined ? '' : ` ${translated}`}
+      ${authors} (${year}). ${linked}.
+      ${more.in}${chapter === undefined ? '' : `, ${texts.chapter(chapter)}`}.${translated === undefined ? '' : ` ${translated}`}
     </li>`;
   };
   return html`<section class="sources">

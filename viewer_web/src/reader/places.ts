@@ -20,8 +20,7 @@ function* marksOf(blocks: Blocks): Generator<Mark> {
     else if (block.is === 'quote') yield* marksOf(block.blocks);
     else if (block.is === 'question' || block.is === 'exercise') {
       yield* marksOf([...block.blocks, ...(block.answer ?? [])]);
-    }
-    else if (block.is === 'table') yield* pinsOf([...block.head, ...block.rows.flat()].flat());
+    } else if (block.is === 'table') yield* pinsOf([...block.head, ...block.rows.flat()].flat());
   }
 }
 
