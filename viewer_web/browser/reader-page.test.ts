@@ -31,7 +31,7 @@ describe('the table of contents', () => {
     await expect
       .poll(() =>
         page
-          .locator('article h3')
+          .locator('article h3[data-place]')
           .last()
           .evaluate((e) => e.matches(':focus')),
       )
@@ -215,7 +215,7 @@ describe('on paper', () => {
     );
     expect(note).toContain('step 60');
     const ink = await page
-      .locator('article p')
+      .locator('article > p')
       .first()
       .evaluate((e) => getComputedStyle(e).color);
     expect(ink).toBe('rgb(0, 0, 0)');
@@ -237,6 +237,17 @@ describe('on paper', () => {
       return parts.slice(parts.indexOf(e)).every((part) => !part.matches('.question, .sources'));
     });
     expect(isLast).toBe(true);
+  });
+
+  it('the text is divided between its lines, although a sheet is as narrow as a small screen', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first', {
+      viewport: { width: 700, height: 900 },
+    });
+    const contained = (): Promise<string> =>
+      page.locator('vidno-reader').evaluate((reader) => getComputedStyle(reader).contain);
+    expect(await contained()).toBe('size');
+    await page.emulateMedia({ media: 'print' });
+    expect(await contained()).toBe('none');
   });
 
   it('the text takes as many sheets as it needs, the run alone takes one', async () => {

@@ -25,8 +25,10 @@ export function opening(telling: Telling, language: Language): TemplateResult | 
     <dl>
       ${facts.map(
         ([name, value]) =>
-          html`<dt>${name}</dt>
-            <dd>${value}</dd>`,
+          html`<div>
+            <dt>${name}</dt>
+            <dd>${value}</dd>
+          </div>`,
       )}
     </dl>
     ${story.goals.length === 0 ? nothing : goals(telling)}
@@ -71,18 +73,11 @@ export function introducedIn(all: Blocks, language: Language): readonly Term[] {
 
 function boldIn(all: Blocks): readonly string[] {
   return all.flatMap((block) => {
-    switch (block.is) {
-      case 'paragraph':
-        return boldWords(block.text);
-      case 'list':
-        return boldIn(block.items.flat());
-      case 'quote':
-        return boldIn(block.blocks);
-      case 'table':
-        return [block.head, ...block.rows].flat().flatMap(boldWords);
-      default:
-        return [];
-    }
+    if (block.is === 'paragraph') return boldWords(block.text);
+    if (block.is === 'list') return boldIn(block.items.flat());
+    if (block.is === 'quote') return boldIn(block.blocks);
+    if (block.is === 'table') return [block.head, ...block.rows].flat().flatMap(boldWords);
+    return [];
   });
 }
 
@@ -93,7 +88,10 @@ const boldWords = (text: Inlines): readonly string[] =>
 
 function termList(terms: readonly Term[], language: Language): unknown {
   const shown = new FirstTerms(language);
-  return terms.map((term, i) => [i === 0 ? '' : ', ', withTerms(term.term, shown)]);
+  const comma = (i: number): string => (i < terms.length - 1 ? ',' : '');
+  return terms.map(
+    (term, i) => html`<span class="term">${withTerms(term.term, shown)}${comma(i)}</span> `,
+  );
 }
 
 /** The publications on which the lesson rests. */

@@ -177,17 +177,25 @@ export const storyStyle = [
       font: 0.875rem / 1.5 var(--sans);
     }
     .frame dl {
-      display: grid;
-      grid-template-columns: max-content 1fr;
-      gap: 0.2rem 1rem;
-      margin: 0 0 0.6rem;
+      margin: 0 0 0.4rem;
+    }
+    .frame dl > div {
+      margin: 0 0 0.2rem;
     }
     .frame :is(dt, .label) {
       color: var(--soft);
       font-weight: 600;
     }
-    .frame dd {
-      margin: 0;
+    .frame :is(dt, dd, dd ul, dd li) {
+      display: inline;
+      margin: 0 0.4em 0 0;
+      padding: 0;
+    }
+    .frame dd li + li::before {
+      content: '· ';
+    }
+    .frame .term {
+      display: inline-block;
     }
     .frame .label {
       margin-bottom: 0.2rem;
@@ -195,10 +203,6 @@ export const storyStyle = [
     .frame ul {
       margin: 0;
       padding-left: 1.2em;
-    }
-    .frame dd ul {
-      padding: 0;
-      list-style: none;
     }
     .frame li {
       margin: 0 0 0.15em;
