@@ -19,7 +19,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::string two_questions = R"(
+const std::string beginning = "# Title\n\n- A goal\n\n";
+
+const std::string ending = R"(
 1. Why?
 
    > Because.
@@ -27,10 +29,24 @@ const std::string two_questions = R"(
 2. And why that?
 
    > For the same reason.
+
+## Summary
+
+Enough.
+
+## Exercises
+
+1. How many?
+
+   > Four.
+
+2. And twice that?
+
+   > Eight.
 )";
 
 Story story_of(const std::string& markdown, Problems& problems) {
-    return read_story("# Title\n\n" + markdown + '\n' + two_questions, "story.en.md", problems);
+    return read_story(beginning + markdown + '\n' + ending, Language::english, "story.en.md", problems);
 }
 
 /// The first block of a story without errors.
@@ -41,7 +57,7 @@ Json block_of(const std::string& markdown) {
     return story.blocks[0];
 }
 
-/// The problems of a story whose third line begins the text.
+/// The problems of a story whose fifth line begins the text.
 std::string problem_of(const std::string& markdown) {
     Problems problems;
     story_of(markdown, problems);
@@ -93,21 +109,26 @@ TEST_CASE("A numbered list whose items end in quotes is questions and answers, a
 }
 
 TEST_CASE("Markdown that a page cannot show is a problem with a line") {
-    CHECK(problem_of("Words.\n\n<b>bold</b>") == "story.en.md:5: HTML is not shown: <b>");
-    CHECK(problem_of("<div>") == "story.en.md:3: HTML is not shown");
+    CHECK(problem_of("Words.\n\n<b>bold</b>") == "story.en.md:7: HTML is not shown: <b>");
+    CHECK(problem_of("<div>") == "story.en.md:5: HTML is not shown");
     CHECK(problem_of("![x](x.png)") ==
-          "story.en.md:3: a page has no such part of a line; a figure is a fence of its own");
-    CHECK(problem_of("#### Deep") == "story.en.md:3: a heading within a story is of level 2 or 3: ## or ###");
+          "story.en.md:5: a page has no such part of a line; a figure is a fence of its own");
+    CHECK(problem_of("#### Deep") == "story.en.md:5: a heading within a story is of level 2 or 3: ## or ###");
     CHECK(problem_of("[x](http://example.org)") ==
-          "story.en.md:3: http://example.org: neither #PIN, ../LESSON/ nor https://");
+          "story.en.md:5: http://example.org: neither #PIN, ../LESSON/ nor https://");
     CHECK(problem_of("```figure Four\nvidno figure lessons/01\n```") ==
-          "story.en.md:3: a figure holds one line: vidno figure ... -o NAME.svg");
+          "story.en.md:5: a figure holds one line: vidno figure ... -o NAME.svg");
 
     Problems problems;
-    read_story("Words.\n", "story.en.md", problems);
-    REQUIRE(problems.size() == 2);
-    CHECK(problems[0].text() == "story.en.md:1: a story begins with its title: # Title");
-    CHECK(problems[1].text() == "story.en.md:1: two questions to think about, at least, are missing");
+    read_story("Words.\n", Language::english, "story.en.md", problems);
+    std::vector<std::string> found;
+    for (const auto& problem : problems) found.push_back(problem.text());
+    CHECK(found ==
+          std::vector<std::string>{"story.en.md:1: a story begins with its title: # Title",
+                                   "story.en.md:1: the learning goals are missing: a list below the title",
+                                   "story.en.md:1: two questions to think about, at least, are missing",
+                                   "story.en.md:1: the summary is missing: ## Summary",
+                                   "story.en.md:1: two exercises with answers, at least, are missing: ## Exercises"});
 }
 
 TEST_CASE("Languages may order the parts of a sentence as they like, not the blocks") {
@@ -118,7 +139,43 @@ TEST_CASE("Languages may order the parts of a sentence as they like, not the blo
 
     compare_structure(read("One.\n\nTwo: [a](#a)."), read("One.\n\nTwo."), problems);
     REQUIRE(problems.size() == 1);
-    CHECK(problems[0].text() == "story.en.md:7: question, where story.en.md:5 has pin a");
+    CHECK(problems[0].text() == "story.en.md:9: question, where story.en.md:7 has pin a");
+}
+
+TEST_CASE("The list below the title holds the learning goals") {
+    Problems problems;
+    const Story story = story_of("Words.", problems);
+    CHECK(story.goals == Json::parse(R"([["A goal"]])"));
+    CHECK(story.blocks[0]["is"] == "paragraph");
+}
+
+TEST_CASE("Below the heading of the exercises a question is an exercise, in each language by its own heading") {
+    Problems problems;
+    const Story english = story_of("Words.", problems);
+    CHECK(english.questions == 2);
+    CHECK(english.exercises == 2);
+    CHECK(english.blocks.back()["is"] == "exercise");
+    CHECK(english.blocks.back()["number"] == 2);
+    std::string russian = beginning + ending;
+    russian.replace(russian.find("Summary"), 7, "Итоги").replace(russian.find("Exercises"), 9, "Упражнения");
+    CHECK(read_story(russian, Language::russian, "story.ru.md", problems).exercises == 2);
+    CHECK(problems.empty());
+}
+
+TEST_CASE("Without its answers a story has the questions and exercises alone") {
+    Problems problems;
+    Story story = story_of("Words.", problems);
+    omit_answers(story.blocks);
+    CHECK(story.blocks.back()["blocks"] == Json::parse(R"([{"is": "paragraph", "text": ["And twice that?"]}])"));
+    CHECK(story.blocks.dump().find("answer") == std::string::npos);
+}
+
+TEST_CASE("A listing names procedures and lines of the program's listings, and may name an edition") {
+    CHECK(block_of("```listing\nDepth PW7\n```") ==
+          Json::parse(R"({"is": "listing", "edition": "corrected", "names": ["Depth", "PW7"]})"));
+    CHECK(block_of("```listing printed\nPW7\n```")["edition"] == "printed");
+    CHECK(problem_of("```listing\nPW99\n```") == "story.en.md:5: PW99: neither a procedure nor one of its lines");
+    CHECK(problem_of("```listing painted\nPW7\n```") == "story.en.md:5: painted: no such edition");
 }
 
 namespace {
@@ -184,7 +241,8 @@ struct SquareLesson {
         place.write("square/scene.json",
                     R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
                     R"({"id":"A","color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})");
-        place.write("square/lesson.json", R"({"format": "vidno-lesson/1",
+        place.write("square/lesson.json",
+                    R"({"format": "vidno-lesson/1", "minutes": 20, "prerequisites": [], "sources": [],
  "runs": [{"name": "windows", "method": "warnock"}],
  "pins": {
   "one": {"find": [{"e": "decide"}], "says": {"case": "single"}},
@@ -192,8 +250,11 @@ struct SquareLesson {
  }}
 )");
         for (const char* language : {"en", "ru"}) {
-            place.write(std::string("square/story.") + language + ".md",
-                        "# Square\n\n[One polygon](#one) is left in [1 window](#all).\n" + two_questions);
+            std::string story = "# Square\n\n- A goal\n\n[One polygon](#one) is left in [1 window](#all).\n" + ending;
+            if (language == std::string("ru")) {
+                story.replace(story.find("Summary"), 7, "Итоги").replace(story.find("Exercises"), 9, "Упражнения");
+            }
+            place.write(std::string("square/story.") + language + ".md", story);
         }
     }
 
@@ -228,7 +289,7 @@ TEST_CASE("A figure's command names files relative to the folder above the lesso
         CHECK(program("lesson check " + folder).text == "");
     }
     lesson.edit("story.en.md", "--pin one", "--pin two");
-    CHECK(program("lesson check " + lesson.folder).text.find("story.en.md:3: --pin two: ") != std::string::npos);
+    CHECK(program("lesson check " + lesson.folder).text.find("story.en.md:5: --pin two: ") != std::string::npos);
 }
 
 TEST_CASE("Errors in a lesson are reported with file and line") {
@@ -236,12 +297,12 @@ TEST_CASE("Errors in a lesson are reported with file and line") {
         const char *file, *from, *to, *said;
     };
     for (const Case& each : std::vector<Case>{
-             {"story.en.md", "#one", "#two", "story.en.md:3: lesson.json has no pin two"},
-             {"story.en.md", "1 window", "a window", "story.en.md:3: pin all counts 1, its words do not: a window"},
-             {"story.en.md", "1 window", "21 windows", "story.en.md:3: pin all counts 1, its words do not: 21 windows"},
-             {"story.en.md", "(#one)", "(../02-none/)", "story.en.md:3: there is no lesson 02-none"},
-             {"story.en.md", "Because.", "TODO", "story.en.md:7: is still to be written:    > TODO"},
-             {"story.ru.md", "[One polygon](#one)", "One", "story.ru.md:5: question, where "},
+             {"story.en.md", "#one", "#two", "story.en.md:5: lesson.json has no pin two"},
+             {"story.en.md", "1 window", "a window", "story.en.md:5: pin all counts 1, its words do not: a window"},
+             {"story.en.md", "1 window", "21 windows", "story.en.md:5: pin all counts 1, its words do not: 21 windows"},
+             {"story.en.md", "(#one)", "(../02-none/)", "story.en.md:5: there is no lesson 02-none"},
+             {"story.en.md", "Because.", "TODO", "story.en.md:9: is still to be written:    > TODO"},
+             {"story.ru.md", "[One polygon](#one)", "One", "story.ru.md:7: question, where "},
              {"lesson.json", R"("single")", R"("split")", R"(lesson.json:4: pin one: step )"},
              {"lesson.json", R"("times": 1)", R"("times": 2)", "lesson.json:5: pin all: there are 1, not 2"},
              {"lesson.json", R"([{"e": "decide"}])", "[]", "lesson.json:4: /pins/one/find: holds no event"},
@@ -251,6 +312,11 @@ TEST_CASE("Errors in a lesson are reported with file and line") {
               "lesson.json:2: /runs/0/kernel: half is not one of "},
              {"lesson.json", R"("pins")", R"("shows": ["queue"], "pins")",
               "lesson.json:3: /shows/0: queue: no state has such a part"},
+             {"lesson.json", R"("minutes": 20,)", "", R"(lesson.json:1: the minutes in class are missing: "minutes")"},
+             {"lesson.json", R"("prerequisites": [])", R"("prerequisites": ["01-none"])",
+              "lesson.json:1: /prerequisites/0: there is no lesson 01-none"},
+             {"lesson.json", R"("sources": [])", R"("sources": [{"key": "euclid"}])",
+              "lesson.json:1: /sources/0/key: euclid: not in "},
              {"lesson.json", R"("pins")", R"("pins" "x")", "lesson.json:3: line 3, column 11: not valid JSON"},
          }) {
         CAPTURE(each.said);
@@ -334,6 +400,43 @@ TEST_CASE("A lesson says which parts of the state stand beside its text") {
     CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
     const json built = json::parse(lesson.place.read("course/square.lesson.json"));
     CHECK(built["shows"] == json::parse(R"(["stack", "active-polygons"])"));
+}
+
+TEST_CASE("A lesson requires lessons that come before it, and takes its sources from the list beside it") {
+    const SquareLesson lesson;
+    const auto titled = [&](const std::string& id) {
+        lesson.place.write(id + "/lesson.json", "");
+        for (const char* language : {"en", "ru"}) {
+            lesson.place.write(id + "/story." + language + ".md", "# Before: " + id);
+        }
+    };
+    titled("circle");
+    titled("triangle");
+    lesson.place.write("sources.json", R"({"euclid": {"authors": "Euclid", "title": "Elements"}})");
+    lesson.edit("lesson.json", R"("prerequisites": [], "sources": [])",
+                R"("prerequisites": ["circle"], "sources": [{"key": "euclid", "chapter": "4"}])");
+    CHECK(program("lesson check " + lesson.folder).text == "");
+    CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    const json built = json::parse(lesson.place.read("course/square.lesson.json"));
+    CHECK(built["minutes"] == 20);
+    CHECK(built["prerequisites"] ==
+          json::parse(R"([{"id": "circle", "title": {"en": "Before: circle", "ru": "Before: circle"}}])"));
+    CHECK(built["sources"] == json::parse(R"([{"authors": "Euclid", "title": "Elements", "chapter": "4"}])"));
+    CHECK(built["story"]["en"]["goals"] == json::parse(R"([["A goal"]])"));
+
+    lesson.edit("lesson.json", R"(["circle"])", R"(["triangle"])");
+    CHECK(program("lesson check " + lesson.folder).text.find("triangle does not come before this lesson") !=
+          std::string::npos);
+}
+
+TEST_CASE("A course or a page can be built without the answers") {
+    const SquareLesson lesson;
+    CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    CHECK(lesson.place.read("course/square.lesson.json").find("Eight.") != std::string::npos);
+    CHECK(program("lesson build --no-answers " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    const std::string built = lesson.place.read("course/square.lesson.json");
+    CHECK(built.find("And twice that?") != std::string::npos);
+    CHECK(built.find("Eight.") == std::string::npos);
 }
 
 TEST_CASE("A new lesson on a scene, a mesh or a surface lacks only its text") {

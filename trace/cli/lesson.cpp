@@ -22,6 +22,7 @@ struct LessonOptions {
     std::string source, output;  // of a new one: a scene or a mesh; the folder
     std::string run;             // of a pin: the run's name, empty for the first
     std::uint64_t step = 0;
+    Answers answers = Answers::included;
 };
 
 /// Removes a course that was built here before.
@@ -50,7 +51,7 @@ int build_course(const LessonOptions& options) {
     Problems problems;
     auto index = nlohmann::ordered_json::array();
     for (const auto& name : options.folders) {
-        const BuiltLesson lesson = built_lesson(name, problems);
+        const BuiltLesson lesson = built_lesson(name, options.answers, problems);
         for (const auto& [file, text] : lesson.traces) write_file(folder / file, gzipped(text), Packing::done);
         write_file(folder / lesson.story_name, lesson.story + '\n');
         index.push_back(lesson.entry);
@@ -117,6 +118,7 @@ void add_lesson(CLI::App& program, int& status) {
     auto& build = *command.add_subcommand("build", "Trace lessons and place their pins, for the page");
     add_folders(build);
     build.add_option("-o", options->output, "The folder of the course")->required();
+    add_no_answers(build, options->answers);
     build.footer("Exit status 1: there are errors, as lesson check reports them; the rest is built.");
     build.callback([options, &status] { status = build_course(*options); });
 }

@@ -19,6 +19,7 @@ namespace {
 struct PageOptions {
     std::vector<std::string> files;
     std::string output;
+    Answers answers = Answers::included;
 };
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
@@ -84,9 +85,9 @@ PageFile trace_file(const std::string& file, bool& whole) {
 }
 
 /// False if the lesson has errors, which are printed.
-bool add_lesson_to(PageContent& content, const std::string& folder) {
+bool add_lesson_to(PageContent& content, const std::string& folder, Answers answers) {
     Problems problems;
-    const BuiltLesson built = built_lesson(folder, problems);
+    const BuiltLesson built = built_lesson(folder, answers, problems);
     for (const auto& [file, text] : built.traces) content.files.emplace_back(file, gzipped(text));
     content.files.emplace_back(built.story_name, gzipped(built.story));
     content.index.push_back(built.entry);
@@ -101,7 +102,7 @@ int page(const PageOptions& options) {
     PageContent content;
     for (const auto& file : options.files) {
         if (std::filesystem::is_directory(file)) {
-            whole = add_lesson_to(content, file) && whole;
+            whole = add_lesson_to(content, file, options.answers) && whole;
         } else {
             content.add(is_trace(file) ? trace_file(file, whole) : scene_file(file));
         }
@@ -119,6 +120,7 @@ void add_page(CLI::App& program, int& status) {
     command.add_option("SCENE|TRACE", options->files,
                        "Scene files, failures, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
     command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
+    add_no_answers(command, options->answers);
     command.footer(
         "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
         "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"

@@ -50,6 +50,15 @@ void check_written(const Story& story, Problems& problems) {
     }
 }
 
+void check_frame(const Lesson& lesson, Problems& problems) {
+    const auto require = [&](const auto& member, const std::string& what) {
+        if (!member) problems.push_back({lesson.file("lesson.json"), 1, what});
+    };
+    require(lesson.frame.minutes, "the minutes in class are missing: \"minutes\"");
+    require(lesson.frame.prerequisites, "the lessons that come first are missing: \"prerequisites\"");
+    require(lesson.frame.sources, "the sources are missing: \"sources\"");
+}
+
 bool is_used(const Pin& pin, const Story& story) {
     const auto leads = [&](const auto& link) { return link.pin == pin.name; };
     const auto draws = [&](const auto& figure) {
@@ -72,6 +81,7 @@ void check_lesson(const Lesson& lesson, Problems& problems) {
         check_lessons(lesson, story, problems);
         check_written(story, problems);
     }
+    if (!lesson.runs.empty()) check_frame(lesson, problems);
     for (const Pin& pin : lesson.pins) {
         if (is_used(pin, english)) continue;
         problems.push_back({lesson.file("lesson.json"), pin.line, "pin " + pin.name + ": no story leads to it"});

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,26 @@ inline constexpr std::array<std::string_view, 13> state_parts{
     "window", "corner-depths", "active-polygons", "stack", "scanline",   "active-edges", "z-buffer",
     "list",   "parts",         "visible",         "curve", "side-edges", "horizons"};
 
+/// What a lecturer needs to place a lesson in a course. A member without a value is missing in lesson.json.
+struct Frame {
+    /// A publication of the list of sources by its key, and the chapter to read; without one, all of it.
+    struct Reading {
+        std::string key;
+        std::string chapter{};
+    };
+    /// Another lesson, which has to come first, with its title.
+    struct Prerequisite {
+        std::string id;
+        InEachLanguage<std::string> title{};
+    };
+
+    std::optional<int> minutes;  // in class, without the exercises
+    std::optional<std::vector<Prerequisite>> prerequisites;
+    InEachLanguage<std::string> assumes{};  // what the reader must know besides; may be empty
+    std::optional<std::vector<Reading>> sources;
+    nlohmann::json bibliography;  // sources.json of the folder that contains the lessons, by key
+};
+
 struct Lesson {
     std::string folder;           // as it was given, without a slash at its end
     std::filesystem::path place;  // the same, from the root
@@ -53,6 +75,7 @@ struct Lesson {
     std::vector<Pin> pins;
     std::vector<std::string> shows{};  // parts of the state, among `state_parts`
     InEachLanguage<Story> stories;
+    Frame frame{};
 
     std::string file(const std::string& name) const { return folder + '/' + name; }
     /// The run with this name, which must exist.
@@ -85,7 +108,11 @@ Steps run_lesson(const Lesson& lesson, Problems& problems,
 /// The figures of a story as SVG, by the names of their files.
 using Figures = std::map<std::string, std::string>;
 
+/// Whether a built lesson has the answers to its questions and exercises.
+enum class Answers : unsigned char { included, omitted };
+
 /// The lesson in the form that its page reads, on one line.
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures);
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures,
+                        Answers answers);
 
 }  // namespace vidno

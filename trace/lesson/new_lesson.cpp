@@ -17,6 +17,8 @@ constexpr std::uint64_t most_with_signs = 1000;
 
 constexpr Bilingual story_of_polygons{R"(# TODO: the title
 
+- TODO: what the reader can do afterwards
+
 TODO: what there is to see, in two or three sentences.
 
 ## Window by window
@@ -30,6 +32,8 @@ It looks at [COUNT windows](#windows). TODO: explain this number.
 The Z-buffer begins with [the first row of the first polygon](#row). TODO: what there is to see.
 )",
                                       R"(# TODO: название
+
+- TODO: что читатель сможет делать
 
 TODO: что здесь можно увидеть, в двух-трёх предложениях.
 
@@ -46,6 +50,8 @@ Z-буфер начинает с [первой строки первого мн�
 
 constexpr Bilingual story_of_curves{R"(# TODO: the title
 
+- TODO: what the reader can do afterwards
+
 TODO: what there is to see, in two or three sentences.
 
 ## Curve by curve
@@ -56,6 +62,8 @@ The first one [is visible everywhere](#first). TODO: what becomes of the others.
 )",
                                     R"(# TODO: название
 
+- TODO: что читатель сможет делать
+
 TODO: что здесь можно увидеть, в двух-трёх предложениях.
 
 ## Кривая за кривой
@@ -65,7 +73,11 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 Первая [видна вся](#first). TODO: что будет с остальными.
 )"};
 
-constexpr Bilingual questions{R"(
+constexpr Bilingual ending{R"(
+## Summary
+
+TODO: what to remember, in three to five sentences.
+
 ## Questions
 
 1. TODO: a question to think about.
@@ -75,8 +87,22 @@ constexpr Bilingual questions{R"(
 2. TODO: another one.
 
    > TODO: its answer.
+
+## Exercises
+
+1. TODO: something to compute by hand.
+
+   > TODO: the result, with the calculation.
+
+2. TODO: another one.
+
+   > TODO: its result.
 )",
-                              R"(
+                           R"(
+## Итоги
+
+TODO: что надо запомнить, в трёх-пяти предложениях.
+
 ## Вопросы
 
 1. TODO: вопрос для размышления.
@@ -86,6 +112,16 @@ constexpr Bilingual questions{R"(
 2. TODO: ещё один.
 
    > TODO: ответ на него.
+
+## Упражнения
+
+1. TODO: что вычислить от руки.
+
+   > TODO: результат и вычисление.
+
+2. TODO: ещё одно.
+
+   > TODO: его результат.
 )"};
 
 std::string with_count(std::string_view story, std::uint64_t count) {
@@ -162,11 +198,13 @@ using Files = std::map<std::string, std::string>;
 
 Files files_of(const std::vector<std::string>& runs, const std::vector<std::string>& pins, const Bilingual& story,
                std::uint64_t count) {
-    const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
-                               lines_of(pins) + "}}\n";
+    const std::string lesson =
+        "{\"format\": \"vidno-lesson/1\",\n \"minutes\": 45, \"prerequisites\": [], \"sources\": [],\n"
+        " \"runs\": [" +
+        lines_of(runs) + "],\n \"pins\": {" + lines_of(pins) + "}}\n";
     Files files{{"lesson.json", lesson}};
     for (const Language language : languages) {
-        files[story_file(language)] = with_count(story.in(language), count).append(questions.in(language));
+        files[story_file(language)] = with_count(story.in(language), count).append(ending.in(language));
     }
     return files;
 }

@@ -58,12 +58,13 @@ public:
         guarded([&] {
             const nlohmann::json document = parse_json(text_);
             const JsonNode root(document);
-            root.require_keys({"format", "runs", "pins"}, {"shows"});
+            root.require_keys({"format", "runs", "pins"}, {"shows", "minutes", "prerequisites", "assumes", "sources"});
             root.expect_format("vidno-lesson/1");
             const JsonNode runs = root.at("runs");
             if (runs.size() == 0) runs.refuse("a lesson has a run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));
             if (root.has("shows")) read_shows(root.at("shows"));
+            guarded([&] { read_frame(root); });
             const JsonNode pins = root.at("pins");
             for (const auto& name : pins.keys()) {
                 guarded([&] { read_pin(name, pins.at(name)); });
@@ -90,6 +91,49 @@ private:
             }
             lesson_.shows.push_back(part);
         }
+    }
+
+    void read_frame(const JsonNode& root) {
+        Frame& frame = lesson_.frame;
+        if (root.has("minutes")) frame.minutes = root.at("minutes").whole_number(5, 180);
+        if (root.has("assumes")) frame.assumes = read_texts(root.at("assumes"));
+        if (root.has("prerequisites")) {
+            const JsonNode node = root.at("prerequisites");
+            frame.prerequisites.emplace();
+            for (std::size_t i = 0; i < node.size(); ++i) frame.prerequisites->push_back(read_prerequisite(node.at(i)));
+        }
+        if (root.has("sources")) {
+            const JsonNode node = root.at("sources");
+            frame.sources.emplace();
+            for (std::size_t i = 0; i < node.size(); ++i) frame.sources->push_back(read_reading(node.at(i)));
+        }
+    }
+
+    /// A lesson beside this one and, by its name, before it: so no two lessons require each other.
+    Frame::Prerequisite read_prerequisite(const JsonNode& node) {
+        const std::string& id = node.text();
+        const auto folder = lesson_.place.parent_path() / id;
+        if (!std::filesystem::exists(folder / "lesson.json")) node.refuse("there is no lesson " + id);
+        if (id >= lesson_.id) node.refuse(id + " does not come before this lesson");
+        return {id, in_each_language([&](Language language) {
+                    const std::string file = (folder / story_file(language)).string();
+                    Problems of_that_lesson;
+                    if (!std::filesystem::exists(file)) return id;
+                    return read_story(read_file(file), language, file, of_that_lesson).plain_title;
+                })};
+    }
+
+    Frame::Reading read_reading(const JsonNode& node) {
+        node.require_keys({"key"}, {"chapter"});
+        Frame::Reading reading{node.at("key").text()};
+        if (node.has("chapter")) reading.chapter = node.at("chapter").text();
+        auto& bibliography = lesson_.frame.bibliography;
+        const auto file = lesson_.place.parent_path() / "sources.json";
+        if (bibliography.is_null() && std::filesystem::exists(file)) {
+            bibliography = parse_json(read_file(file.string()));
+        }
+        if (!bibliography.contains(reading.key)) node.at("key").refuse(reading.key + ": not in " + file.string());
+        return reading;
     }
 
     void read_run(const JsonNode& node) {
@@ -145,7 +189,7 @@ private:
 
 Story story_in(const Lesson& lesson, Language language, Problems& problems) {
     const std::string file = lesson.file(story_file(language));
-    if (std::filesystem::exists(file)) return read_story(read_file(file), file, problems);
+    if (std::filesystem::exists(file)) return read_story(read_file(file), language, file, problems);
     problems.push_back({file, 1, "is not there"});
     return {};
 }

@@ -98,8 +98,34 @@ Steps run_lesson(const Lesson& lesson, Problems& problems,
     return steps;
 }
 
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures) {
-    using Json = nlohmann::ordered_json;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Adds what the lesson states of its frame.
+void add_frame(Json& whole, const Frame& frame) {
+    if (frame.minutes) whole["minutes"] = *frame.minutes;
+    if (!frame.assumes.english.empty()) whole["assumes"] = object_of<Json>(frame.assumes);
+    if (frame.prerequisites) {
+        Json& lessons = whole["prerequisites"] = Json::array();
+        for (const auto& [id, title] : *frame.prerequisites) {
+            lessons.push_back({{"id", id}, {"title", object_of<Json>(title)}});
+        }
+    }
+    if (frame.sources) {
+        Json& sources = whole["sources"] = Json::array();
+        for (const auto& [key, chapter] : *frame.sources) {
+            Json source = frame.bibliography.at(key);
+            if (!chapter.empty()) source["chapter"] = chapter;
+            sources.push_back(std::move(source));
+        }
+    }
+}
+
+}  // namespace
+
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLanguage<Figures>& figures,
+                        Answers answers) {
     Json traces = Json::object();
     for (const auto& run : lesson.runs) traces[run.name] = run.trace_file(lesson.id);
     Json pins = Json::object();
@@ -110,7 +136,12 @@ std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLa
     }
     const auto stories = in_each_language([&](Language language) {
         const Story& story = lesson.stories.in(language);
-        return Json{{"title", story.title}, {"blocks", story.blocks}, {"figures", figures.in(language)}};
+        Json blocks = story.blocks;
+        if (answers == Answers::omitted) omit_answers(blocks);
+        return Json{{"title", story.title},
+                    {"goals", story.goals},
+                    {"blocks", std::move(blocks)},
+                    {"figures", figures.in(language)}};
     });
     Json whole{{"format", "vidno-lesson/1"},
                {"id", lesson.id},
@@ -118,6 +149,7 @@ std::string lesson_json(const Lesson& lesson, const Steps& steps, const InEachLa
                {"pins", pins},
                {"story", object_of<Json>(stories)}};
     if (!lesson.shows.empty()) whole["shows"] = lesson.shows;
+    add_frame(whole, lesson.frame);
     return whole.dump();
 }
 

@@ -6,6 +6,9 @@
 #include <memory>
 #include <sstream>
 
+#include "choice/edition.h"
+#include "listings_text.h"
+
 namespace vidno {
 
 namespace {
@@ -55,9 +58,21 @@ std::string output_of_command(const std::string& command) {
     return file;
 }
 
+/// Whether it is the name of a procedure or the label of one of its lines.
+bool is_in_listings(const std::string& word) {
+    static const auto listings = nlohmann::json::parse(figures::listings_text);
+    return std::ranges::any_of(listings.at("procedures"), [&](const auto& procedure) {
+        const auto has_label = [&](const auto& line) { return line.at("at") == word; };
+        return procedure.at("name") == word || std::ranges::any_of(procedure.at("lines"), has_label);
+    });
+}
+
 class StoryReader {
 public:
-    StoryReader(const std::string& file, Problems& problems) : problems_(problems) { story_.file = file; }
+    StoryReader(Language language, const std::string& file, Problems& problems)
+        : summary_(summary_heading.in(language)), exercises_(exercises_heading.in(language)), problems_(problems) {
+        story_.file = file;
+    }
 
     Story read(cmark_node* document) {
         auto nodes = children(document);
@@ -68,14 +83,26 @@ public:
         } else {
             problem(1, "a story begins with its title: # Title");
         }
+        if (!nodes.empty() && is_list(nodes[0], CMARK_BULLET_LIST)) {
+            story_.goals = goals(nodes[0]);
+            nodes.erase(nodes.begin());
+        } else {
+            problem(1, "the learning goals are missing: a list below the title");
+        }
         story_.blocks = blocks(nodes);
-        if (story_.questions < 2) problem(last_line(document), "two questions to think about, at least, are missing");
+        const int end = last_line(document);
+        if (story_.questions < 2) problem(end, "two questions to think about, at least, are missing");
+        if (!story_.has_summary) problem(end, "the summary is missing: ## " + summary_);
+        if (story_.exercises < 2) problem(end, "two exercises with answers, at least, are missing: ## " + exercises_);
         return std::move(story_);
     }
 
 private:
     static bool is_title(cmark_node* node) {
         return cmark_node_get_type(node) == CMARK_NODE_HEADING && cmark_node_get_heading_level(node) == 1;
+    }
+    static bool is_list(cmark_node* node, cmark_list_type type) {
+        return cmark_node_get_type(node) == CMARK_NODE_LIST && cmark_node_get_list_type(node) == type;
     }
     static int last_line(cmark_node* document) { return std::max(1, cmark_node_get_end_line(document)); }
 
@@ -101,6 +128,22 @@ private:
         return made;
     }
 
+    Json goals(cmark_node* list) {
+        const auto items = children(list);
+        mark(list, "list of " + std::to_string(items.size()) + " goals");
+        Json made = Json::array();
+        for (auto* item : items) {
+            auto* text = cmark_node_first_child(item);
+            const bool is_text = text && cmark_node_get_type(text) == CMARK_NODE_PARAGRAPH && !cmark_node_next(text);
+            if (is_text) {
+                made.push_back(inlines(text));
+            } else {
+                problem(line_of(item), "a goal is one paragraph");
+            }
+        }
+        return made;
+    }
+
     Json block(cmark_node* node) {
         const auto type = cmark_node_get_type(node);
         if (type == CMARK_NODE_HEADING) return heading(node);
@@ -120,7 +163,13 @@ private:
         const int level = cmark_node_get_heading_level(node);
         if (level != 2 && level != 3) problem(line_of(node), "a heading within a story is of level 2 or 3: ## or ###");
         mark(node, "heading " + std::to_string(level));
-        return {{"is", "heading"}, {"level", level}, {"text", inlines(node)}};
+        Json text = inlines(node);
+        if (level == 2) {
+            const std::string words = plain(text);
+            story_.has_summary = story_.has_summary || words == summary_;
+            are_exercises_ = words == exercises_;
+        }
+        return {{"is", "heading"}, {"level", level}, {"text", std::move(text)}};
     }
 
     Json paragraph(cmark_node* node) {
@@ -144,18 +193,19 @@ private:
 
     /// A numbered list whose every item ends in its answer, as a quote.
     static bool is_questions(cmark_node* node) {
-        if (cmark_node_get_type(node) != CMARK_NODE_LIST) return false;
+        if (!is_list(node, CMARK_ORDERED_LIST)) return false;
         const auto items = children(node);
-        return cmark_node_get_list_type(node) == CMARK_ORDERED_LIST &&
-               std::all_of(items.begin(), items.end(), ends_with_quote);
+        return std::all_of(items.begin(), items.end(), ends_with_quote);
     }
 
     Json question(cmark_node* item) {
         auto asked = children(item);
         auto* answer = asked.back();
         asked.pop_back();
-        mark(item, "question");
-        Json made{{"is", "question"}, {"number", ++story_.questions}, {"blocks", blocks(asked)}};
+        const char* kind = are_exercises_ ? "exercise" : "question";
+        int& count = are_exercises_ ? story_.exercises : story_.questions;
+        mark(item, kind);
+        Json made{{"is", kind}, {"number", ++count}, {"blocks", blocks(asked)}};
         made["answer"] = blocks(children(answer));
         return made;
     }
@@ -169,6 +219,7 @@ private:
         }
         constexpr std::string_view figure_word = "figure ";
         if (info.starts_with(figure_word)) return figure(node, info.substr(figure_word.size()), text);
+        if (info == "listing" || info.starts_with("listing ")) return listing(node, info, text);
         mark(node, "code " + (info == "sh" ? text : info));
         return {{"is", "code"}, {"language", info}, {"text", text}};
     }
@@ -181,6 +232,21 @@ private:
         mark(node, "figure");
         story_.figures.push_back({line_of(node), command, file});
         return {{"is", "figure"}, {"caption", Json::array({caption})}, {"command", command}, {"file", file}};
+    }
+
+    /// Procedures and lines of procedures by their names, in the edition after the word `listing`.
+    Json listing(cmark_node* node, const std::string& info, const std::string& text) {
+        const std::size_t space = info.find(' ');
+        const std::string edition = space == info.npos ? "corrected" : info.substr(space + 1);
+        if (!edition_named(edition)) problem(line_of(node), edition + ": no such edition");
+        mark(node, info + ' ' + text);
+        Json names = Json::array();
+        std::istringstream words(text);
+        for (std::string word; words >> word;) {
+            if (!is_in_listings(word)) problem(line_of(node), word + ": neither a procedure nor one of its lines");
+            names.push_back(word);
+        }
+        return {{"is", "listing"}, {"edition", edition}, {"names", std::move(names)}};
     }
 
     Json table(cmark_node* node) {
@@ -295,6 +361,8 @@ private:
         return {{"is", "link"}, {"url", url}, {"text", std::move(text)}};
     }
 
+    const std::string summary_, exercises_;
+    bool are_exercises_ = false;  // in the current section
     Story story_;
     Problems& problems_;
 };
@@ -314,8 +382,18 @@ Document parsed(std::string_view markdown) {
 
 }  // namespace
 
-Story read_story(std::string_view markdown, const std::string& file, Problems& problems) {
-    return StoryReader(file, problems).read(parsed(markdown).get());
+Story read_story(std::string_view markdown, Language language, const std::string& file, Problems& problems) {
+    return StoryReader(language, file, problems).read(parsed(markdown).get());
+}
+
+void omit_answers(Json& blocks) {
+    for (Json& block : blocks) {
+        const auto& kind = block["is"];
+        if (kind == "question" || kind == "exercise") block.erase("answer");
+        if (block.contains("blocks")) omit_answers(block["blocks"]);
+        if (!block.contains("items")) continue;
+        for (Json& item : block["items"]) omit_answers(item);
+    }
 }
 
 void compare_structure(const Story& first, const Story& second, Problems& problems) {

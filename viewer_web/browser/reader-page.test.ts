@@ -31,7 +31,7 @@ describe('the table of contents', () => {
     await expect
       .poll(() =>
         page
-          .locator('article h3')
+          .locator('article h3[data-place]')
           .last()
           .evaluate((e) => e.matches(':focus')),
       )
@@ -204,11 +204,10 @@ describe('on paper', () => {
       colorScheme: 'dark',
     });
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
-    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-    for (const part of ['article h2', '.answer', 'figure img', 'article math']) {
+    for (const part of ['article h2', '.answers', 'figure img', 'article math']) {
       expect(await page.locator(part).first().isVisible(), part).toBe(true);
     }
-    for (const part of ['main', 'nav', 'vidno-page-header', '.bar', 'nav.long']) {
+    for (const part of ['main', 'nav', 'vidno-page-header', '.bar', 'nav.long', 'details']) {
       expect(await page.locator(part).first().isVisible(), part).toBe(false);
     }
     const note = await pin(page, 'second').evaluate(
@@ -216,13 +215,39 @@ describe('on paper', () => {
     );
     expect(note).toContain('step 60');
     const ink = await page
-      .locator('article p')
+      .locator('article > p')
       .first()
       .evaluate((e) => getComputedStyle(e).color);
     expect(ink).toBe('rgb(0, 0, 0)');
-    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-    expect(await page.locator('details').getAttribute('open')).toBe(null);
     expect(faults).toEqual([]);
+  });
+
+  it('the answers stand at the end, each with the name of its question', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    const answers = page.locator('.answers');
+    expect(await answers.isVisible()).toBe(false);
+    await page.emulateMedia({ media: 'print' });
+    expect((await answers.innerText()).split(/\n+/)).toEqual([
+      'Answers',
+      'Question 1',
+      'Three windows.',
+    ]);
+    const isLast = await answers.evaluate((e) => {
+      const parts = [...(e.parentElement?.children ?? [])];
+      return parts.slice(parts.indexOf(e)).every((part) => !part.matches('.question, .sources'));
+    });
+    expect(isLast).toBe(true);
+  });
+
+  it('the text is divided between its lines, although a sheet is as narrow as a small screen', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first', {
+      viewport: { width: 700, height: 900 },
+    });
+    const contained = (): Promise<string> =>
+      page.locator('vidno-reader').evaluate((reader) => getComputedStyle(reader).contain);
+    expect(await contained()).toBe('size');
+    await page.emulateMedia({ media: 'print' });
+    expect(await contained()).toBe('none');
   });
 
   it('the text takes as many sheets as it needs, the run alone takes one', async () => {

@@ -121,6 +121,58 @@ describe('the text of a lesson', () => {
     expect(faults).toEqual([]);
   });
 
+  it('states below its title the time, what comes first, its terms and its goals', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
+    const frame = page.getByRole('region', { name: 'About this lesson' });
+    const facts = await frame.locator('dd').allInnerTexts();
+    expect(facts.map((text) => text.replaceAll(/\s+/g, ' ').trim())).toEqual([
+      '25 minutes, without the exercises',
+      'Lesson second Not here Lines.',
+      'depth',
+    ]);
+    expect(await frame.getByRole('link').allInnerTexts()).toEqual(['Lesson second']);
+    expect(await frame.locator('.label + ul li').allInnerTexts()).toEqual(['split W13', 'count']);
+    expect(await violations(page)).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+
+  it('prints the lines of the procedures, as the edition has them, in its language', async () => {
+    for (const [language, depth] of [
+      ['en', 'Depth of a plane'],
+      ['ru', 'Глубина плоскости'],
+    ] as const) {
+      const { page } = await openReader(browser, `#lang=${language}&lesson=first`);
+      const listing = page.locator('article .listing');
+      expect(await listing.locator('.title').allInnerTexts()).toContain(depth);
+      const lines = (await listing.locator('li').allInnerTexts()).map((text) =>
+        text.replaceAll(/\s+/g, ' ').trim(),
+      );
+      expect(lines).toEqual([
+        'PW7 if 0 < k < 4: hasSurround := false X-W3'.replace(
+          'if',
+          language === 'en' ? 'if' : 'если',
+        ),
+        'D1 z := −(a·x + b·y + d) / c',
+      ]);
+    }
+  });
+
+  it('lists its sources, with the translation in that language', async () => {
+    const { page } = await openReader(browser, '#lang=ru&lesson=first');
+    const sources = page.locator('.sources li');
+    expect((await sources.innerText()).replaceAll(/\s+/g, ' ').trim()).toBe(
+      'D. F. Rogers (1998). Procedural Elements. McGraw-Hill, глава 4. Роджерс Д. Основы.',
+    );
+    expect(await sources.getByRole('link').getAttribute('href')).toBe('https://example.org/rogers');
+  });
+
+  it('has exercises without answers if the lesson was built without them', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    const exercise = page.getByRole('region', { name: 'Exercise 1' });
+    expect(await exercise.innerText()).toContain('Compute it.');
+    expect(await exercise.locator('details').count()).toBe(0);
+  });
+
   it('hides an answer until it is asked for, by keyboard as well', async () => {
     // The run would otherwise follow the text, which scrolls to the question.
     const { page } = await openReader(browser, '#lang=en&lesson=first&follow=off');

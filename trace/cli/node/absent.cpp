@@ -35,7 +35,8 @@ AnyChart read_chart(std::string_view, const std::string& file) { throw only_nati
 SceneWithWarnings import_mesh(std::string_view, const std::string& file, const ImportOptions&) {
     throw only_native(file);
 }
-Story read_story(std::string_view, const std::string& file, Problems&) { throw only_native(file); }
+Story read_story(std::string_view, Language, const std::string& file, Problems&) { throw only_native(file); }
 void compare_structure(const Story&, const Story&, Problems&) {}
+void omit_answers(nlohmann::ordered_json&) {}
 
 }  // namespace vidno

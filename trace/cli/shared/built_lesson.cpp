@@ -45,7 +45,7 @@ Json title_of(const Lesson& lesson, const LessonRun& run) {
 
 }  // namespace
 
-BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
+BuiltLesson built_lesson(const std::string& folder, Answers answers, Problems& problems) {
     const Lesson lesson = read_lesson(folder, problems);
     check_lesson(lesson, problems);
     std::map<std::string, std::string> texts;  // of the traces, by their runs
@@ -55,7 +55,7 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
 
     BuiltLesson made;
     made.story_name = lesson.id + ".lesson.json";
-    made.story = lesson_json(lesson, steps, figures);
+    made.story = lesson_json(lesson, steps, figures, answers);
     Json traces = Json::array();
     for (const auto& run : lesson.runs) {
         const std::string file = run.trace_file(lesson.id);
@@ -75,6 +75,12 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
                   {"traces", std::move(traces)},
                   {"story", made.story_name}};
     return made;
+}
+
+void add_no_answers(CLI::App& command, Answers& answers) {
+    command.add_flag_callback(
+        "--no-answers", [&answers] { answers = Answers::omitted; },
+        "Omit the answers to the questions and exercises of lessons");
 }
 
 void check_figures(const Lesson& lesson, Problems& problems) {

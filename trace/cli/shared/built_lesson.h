@@ -1,6 +1,7 @@
 /// A lesson with its traces and figures, for a course or a page.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -18,7 +19,10 @@ struct BuiltLesson {
 };
 
 /// Adds the errors of the lesson to the problems.
-BuiltLesson built_lesson(const std::string& folder, Problems& problems);
+BuiltLesson built_lesson(const std::string& folder, Answers answers, Problems& problems);
+
+/// Adds `--no-answers`, which sets the value.
+void add_no_answers(CLI::App& command, Answers& answers);
 
 /// Draws the figures of both stories, and adds their errors to the problems.
 void check_figures(const Lesson& lesson, Problems& problems);

@@ -265,5 +265,9 @@ export const appStyle = css`
     :host([reading]) :is(main, nav) {
       display: none;
     }
+    /* A sheet is as narrow as a small screen. With its size contained the text would be cut between sheets, through its lines. */
+    :host([reading]) vidno-reader {
+      contain: none;
+    }
   }
 `;

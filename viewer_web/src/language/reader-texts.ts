@@ -8,8 +8,20 @@ export interface ReaderTexts {
   readonly step: (step: number) => string;
   readonly pin: (step: number, run: string) => string;
   readonly linkHere: (heading: string) => string;
+  /** The name of the part that states the time, what comes first, the terms and the goals. */
+  readonly about: string;
+  readonly time: string;
+  readonly minutes: (minutes: number) => string;
+  readonly prerequisites: string;
+  readonly noPrerequisites: string;
+  readonly terms: string;
+  readonly goals: string;
+  readonly sources: string;
+  readonly chapter: (chapter: string) => string;
   readonly question: (number: number) => string;
+  readonly exercise: (number: number) => string;
   readonly answer: string;
+  readonly answers: string;
   readonly copy: string;
   readonly copied: string;
   readonly previous: string;

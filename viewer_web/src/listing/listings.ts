@@ -24,6 +24,11 @@ export interface Listing {
   readonly lines: readonly Line[];
 }
 
+/** A procedure, or some of its lines. */
+export type Excerpt = Omit<Listing, 'lines'> & {
+  readonly lines: readonly Omit<Line, 'speaks'>[];
+};
+
 type Both = Readonly<Record<Language, string>>;
 interface SourceLine extends Both {
   readonly at: string;
@@ -69,6 +74,20 @@ export function listingsOf(
         speaks: speaks(each.at, method, detail),
       })),
     }));
+}
+
+/** The procedures and the single lines with these names, in the order of the listings. */
+export function excerpt(
+  names: readonly string[],
+  edition: Edition,
+  language: Language,
+): readonly Excerpt[] {
+  return sources.flatMap(({ name, title, takes, lines }) => {
+    const shown = lines.filter(({ at }) => names.includes(name) || names.includes(at));
+    if (shown.length === 0) return [];
+    const told = shown.map((each) => line(each, edition, language));
+    return [{ name, title: title[language], takes, lines: told }];
+  });
 }
 
 /** By line label, the ways in which a run could have that line wrong; empty if the run itself is not correct. */

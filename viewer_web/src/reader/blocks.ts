@@ -3,13 +3,28 @@ import type { TemplateResult } from 'lit';
 import './command.js';
 import { formula } from './formula.js';
 import { inlines, plainWords } from './inlines.js';
+import { listing } from './listing.js';
 import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
 /** The blocks of a story, one below the other. */
 export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
-  return all.map((block) => told(block, telling));
+  return withGalleries(all).map((group) => {
+    const parts = group.map((block) => told(block, telling));
+    return parts.length === 1 ? html`${parts}` : html`<div class="gallery">${parts}</div>`;
+  });
+}
+
+/** Puts figures that follow each other into one group, so that they stand side by side. */
+function withGalleries(all: Blocks): readonly Blocks[] {
+  const groups: Block[][] = [];
+  for (const block of all) {
+    const last = groups.at(-1);
+    if (block.is === 'figure' && last?.[0]?.is === 'figure') last.push(block);
+    else groups.push([block]);
+  }
+  return groups;
 }
 
 function told(block: Block, telling: Telling): TemplateResult {
@@ -31,6 +46,7 @@ function told(block: Block, telling: Telling): TemplateResult {
     case 'quote':
       return html`<blockquote>${blocks(block.blocks, telling)}</blockquote>`;
     case 'question':
+    case 'exercise':
       return question(block, telling);
     case 'code':
       return block.language === 'sh'
@@ -42,6 +58,8 @@ function told(block: Block, telling: Telling): TemplateResult {
       return figure(block, telling);
     case 'table':
       return table(block, telling);
+    case 'listing':
+      return listing(block, telling.language);
   }
 }
 
@@ -57,15 +75,23 @@ function heading(block: Heading, telling: Telling): TemplateResult {
     : html`<h4 data-place=${place} tabindex="-1">${words}</h4>`;
 }
 
-function question({ number, blocks: asked, answer }: Question, telling: Telling): TemplateResult {
+function question(
+  { is, number, blocks: asked, answer }: Question,
+  telling: Telling,
+): TemplateResult {
   const { texts } = telling;
-  return html`<section class="question" aria-label=${texts.question(number)}>
-    <p class="number">${texts.question(number)}</p>
+  const name = texts[is](number);
+  return html`<section class="question ${is}" aria-label=${name}>
+    <p class="number">${name}</p>
     ${blocks(asked, telling)}
-    <details>
-      <summary>${texts.answer}</summary>
-      <div class="answer">${blocks(answer, telling)}</div>
-    </details>
+    ${
+      answer === undefined
+        ? nothing
+        : html`<details>
+            <summary>${texts.answer}</summary>
+            <div class="answer">${blocks(answer, telling)}</div>
+          </details>`
+    }
   </section>`;
 }
 

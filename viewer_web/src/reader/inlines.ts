@@ -56,10 +56,11 @@ function link(
 }
 
 function pinLink(link: PinLink, words: readonly Told[], telling: Telling): TemplateResult {
-  const { lesson, story, texts, current, addressOf, runOf } = telling;
+  const { lesson, story, texts, current, addressOf, runOf, isCopy = false } = telling;
   const place = story.places.get(link);
   const pin = lesson.pins.get(link.pin);
   if (place === undefined || pin === undefined) return html`${words}`;
+  if (isCopy) return html`<span class="pin" data-step=${texts.step(pin.step)}>${words}</span>`;
   return html`<a
     class="pin"
     data-place=${place}

@@ -3,11 +3,11 @@ import type { Blocks, Heading, Inlines, PinLink, Story } from './story.js';
 /** A place that an address can name in a story. */
 export type Mark = Heading | PinLink;
 
-type Written = Pick<Story, 'title' | 'blocks'>;
+type Written = Pick<Story, 'title' | 'goals' | 'blocks'>;
 
 /** The headings and pins of a story, in reading order. */
-function* marksIn({ title, blocks }: Written): Generator<Mark> {
-  yield* pinsOf(title);
+function* marksIn({ title, goals, blocks }: Written): Generator<Mark> {
+  yield* pinsOf([...title, ...goals.flat()]);
   yield* marksOf(blocks);
 }
 
@@ -18,8 +18,9 @@ function* marksOf(blocks: Blocks): Generator<Mark> {
     else if (block.is === 'figure') yield* pinsOf(block.caption);
     else if (block.is === 'list') yield* marksOf(block.items.flat());
     else if (block.is === 'quote') yield* marksOf(block.blocks);
-    else if (block.is === 'question') yield* marksOf([...block.blocks, ...block.answer]);
-    else if (block.is === 'table') yield* pinsOf([...block.head, ...block.rows.flat()].flat());
+    else if (block.is === 'question' || block.is === 'exercise') {
+      yield* marksOf([...block.blocks, ...(block.answer ?? [])]);
+    } else if (block.is === 'table') yield* pinsOf([...block.head, ...block.rows.flat()].flat());
   }
 }
 

@@ -3,7 +3,6 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { keyed } from 'lit/directives/keyed.js';
 import { live } from 'lit/directives/live.js';
-import { PrintedWhole } from '../elements/printed-whole.js';
 import { base } from '../elements/theme.js';
 import { FirstTerms } from '../i18n/glossary.js';
 import { texts } from '../i18n/index.js';
@@ -14,6 +13,7 @@ import type { Setup } from './address.js';
 import { blocks } from './blocks.js';
 import { Drawings } from './drawings.js';
 import { Fitting } from './fitting.js';
+import { opening, printedAnswers, sources } from './frame.js';
 import { inlines } from './inlines.js';
 import { addressIn, runOf } from './links.js';
 import type { AddressOf } from './links.js';
@@ -22,6 +22,7 @@ import { ReadingPlace } from './reading-place.js';
 import type { Goal, Reached } from './reading-place.js';
 import type { LessonStory, Pin } from './story.js';
 import { withoutTerms } from './telling.js';
+import type { Telling } from './telling.js';
 
 /** The reader's place in the text, and whether it was reached by scrolling. */
 export type Read = Reached & { readonly isScrolled: boolean };
@@ -52,7 +53,6 @@ export class ReaderElement extends LitElement {
   // This comes before the search for the place, because shrinking elements moves places.
   private readonly fitting = new Fitting(() => this.article);
   private readonly place = new ReadingPlace(this);
-  protected readonly printed = new PrintedWhole(this);
 
   private get language(): Language {
     return this.setup.language;
@@ -110,7 +110,7 @@ export class ReaderElement extends LitElement {
     const { language, addressOf, current } = this;
     const { reader, page } = texts[language];
     const story = lesson.story[language];
-    const telling = {
+    const telling: Telling = {
       lesson,
       texts: reader,
       story,
@@ -119,10 +119,12 @@ export class ReaderElement extends LitElement {
       addressOf,
       runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page, language),
       drawingOf: (svg: string) => this.drawings.addressOf(svg),
+      language,
     };
     return html`<article lang=${language}>
       <h2>${inlines(story.title, withoutTerms(telling))}</h2>
-      ${blocks(story.blocks, telling)} ${this.neighbours('long')}
+      ${opening(telling, language)} ${blocks(story.blocks, telling)} ${sources(telling, language)}
+      ${printedAnswers(telling)} ${this.neighbours('long')}
     </article>`;
   }
 

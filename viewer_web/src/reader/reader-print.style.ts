@@ -10,8 +10,7 @@ export const readerPrint = css`
     }
     .bar,
     nav.long,
-    .anchor,
-    summary::marker {
+    .anchor {
       display: none;
     }
     .box {
@@ -77,10 +76,26 @@ export const readerPrint = css`
       border-left-color: var(--line);
       break-inside: avoid;
     }
-    summary {
-      list-style: none;
+    .question details {
+      display: none;
+    }
+    .answers {
+      display: block;
+    }
+    .answers .number {
+      margin: 0.8em 0 0.2em;
       color: var(--soft);
-      font-weight: 600;
+      font: 600 8.5pt var(--sans);
+      break-after: avoid;
+    }
+    .listing li,
+    .frame {
+      break-inside: avoid;
+    }
+    .listing p {
+      break-after: avoid;
+    }
+    .listing :is(p, li) {
       font-size: 8.5pt;
     }
     figure img {

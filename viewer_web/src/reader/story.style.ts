@@ -126,6 +126,15 @@ export const storyStyle = [
       border-radius: 4px;
       background: #ffffff;
     }
+    .gallery {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(7.5rem, 1fr));
+      gap: 0 1rem;
+    }
+    /* Many small figures: the commands would be longer than the captions. */
+    .gallery:has(> figure:nth-child(3)) vidno-command {
+      display: none;
+    }
     figcaption {
       color: var(--soft);
       font-size: 0.875em;
@@ -159,6 +168,94 @@ export const storyStyle = [
     }
     :is(th, td).center {
       text-align: center;
+    }
+    .frame {
+      margin: 0 0 1.5em;
+      padding: 0.8rem 1rem 0.4rem;
+      border: 1px solid var(--line);
+      border-radius: 6px;
+      font: 0.875rem / 1.5 var(--sans);
+    }
+    .frame dl {
+      margin: 0 0 0.4rem;
+    }
+    .frame dl > div {
+      margin: 0 0 0.2rem;
+    }
+    .frame :is(dt, .label) {
+      color: var(--soft);
+      font-weight: 600;
+    }
+    .frame :is(dt, dd, dd ul, dd li) {
+      display: inline;
+      margin: 0 0.4em 0 0;
+      padding: 0;
+    }
+    .frame dd li + li::before {
+      content: '· ';
+    }
+    .frame .term {
+      display: inline-block;
+    }
+    .frame .label {
+      margin-bottom: 0.2rem;
+    }
+    .frame ul {
+      margin: 0;
+      padding-left: 1.2em;
+    }
+    .frame li {
+      margin: 0 0 0.15em;
+    }
+    .listing {
+      margin: 0 0 1.1em;
+      padding: 0.5rem 0;
+      border-block: 1px solid var(--line);
+      hyphens: none;
+      text-wrap: wrap;
+    }
+    .listing p {
+      margin: 0.35rem 0 0.2rem;
+      font: 0.8125rem / 1.4 var(--mono);
+    }
+    .listing .title {
+      margin-left: 0.4em;
+      color: var(--soft);
+      font: 0.75rem var(--sans);
+    }
+    .listing ol {
+      margin: 0 0 0.4rem;
+      padding: 0;
+      list-style: none;
+    }
+    .listing li {
+      display: grid;
+      grid-template-columns: 2.5rem 1fr auto;
+      align-items: baseline;
+      margin: 0;
+      padding: 0.1rem 0;
+      font: 0.8125rem / 1.4 var(--sans);
+    }
+    .listing .at {
+      color: var(--soft);
+      font: 0.6875rem var(--mono);
+    }
+    .listing code {
+      padding-left: calc(var(--indent) * 1rem + 0.8rem);
+      text-indent: -0.8rem;
+      font: inherit;
+      overflow-wrap: anywhere;
+    }
+    .listing .defects {
+      padding-left: 0.6rem;
+      color: var(--bad);
+      font: 0.6875rem var(--mono);
+    }
+    .sources {
+      font-size: 0.9em;
+    }
+    .answers {
+      display: none;
     }
     .question {
       margin: 0 0 1.1em;

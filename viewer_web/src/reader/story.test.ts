@@ -29,6 +29,19 @@ describe('the file of a lesson', () => {
     expect(lesson.story.ru.blocks[1]).toEqual({ is: 'heading', level: 2, text: ['Первые окна'] });
   });
 
+  it('is read with its frame, which an older lesson lacks', () => {
+    const lesson = lessonStory(sampleLesson());
+    expect([lesson.minutes, lesson.prerequisites?.map(({ id }) => id)]).toEqual([
+      25,
+      ['second', 'nowhere'],
+    ]);
+    expect(lesson.sources?.[0]?.translations).toEqual({ ru: 'Роджерс Д. Основы.' });
+    expect(lesson.story.en.goals[1]).toEqual(['count']);
+    const story = { title: ['x'], blocks: [] };
+    const older = { format: 'vidno-lesson/1', id: 'x', traces: {}, pins: {} };
+    expect(lessonStory({ ...older, story: { en: story, ru: story } }).story.en.goals).toEqual([]);
+  });
+
   it('names its places alike in both languages: headings by number, pins by name and occurrence', () => {
     const { en, ru } = lessonStory(sampleLesson()).story;
     const names = ['1', 'first', 'second', '2', 'first.2', '3', 'scanline'];
@@ -49,6 +62,13 @@ describe('the file of a lesson', () => {
       'an address that is a program',
       saying({ is: 'link', url: 'javascript:alert(1)', text: [] }),
       'story.en.blocks[0].text[0].url noWebAddress',
+    ],
+    [
+      'a source whose address is a program',
+      sampleLesson({
+        sources: [{ authors: '', year: '', title: '', in: '', url: 'javascript:alert(1)' }],
+      }),
+      'sources[0].url noWebAddress',
     ],
     ['an unknown inline', saying({ is: 'image' }), 'story.en.blocks[0].text[0].is oneOf'],
     ['a name that all objects have', saying({ is: 'toString' }), '.is oneOf'],

@@ -15,9 +15,11 @@ import { parseJson } from '../trace/parse.js';
 import { Refusal, describe } from '../trace/refusal.js';
 import { stateParts } from '../algorithm/state-part.js';
 import type { StatePart } from '../algorithm/state-part.js';
+import { edition } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 import { boundedText } from '../base/bounded-text.js';
 import { inEachLanguage } from '../language/language.js';
-import type { Bilingual } from '../language/language.js';
+import type { Bilingual, Language } from '../language/language.js';
 import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
@@ -55,16 +57,25 @@ export type Block =
   | { readonly is: 'code'; readonly language: string; readonly text: string }
   | { readonly is: 'formula'; readonly tex: string }
   | Figure
-  | Table;
+  | Table
+  | PrintedListing;
 export type Blocks = readonly Block[];
 
-/** A question for the reader to think about. */
+/** A question to think about, or an exercise to work out by hand. */
 export interface Question {
-  readonly is: 'question';
-  /** Its number in the lesson, from 1. */
+  readonly is: 'question' | 'exercise';
+  /** Its number among those of its kind, from 1. */
   readonly number: number;
   readonly blocks: Blocks;
-  readonly answer: Blocks;
+  /** Absent if the lesson was built without answers. */
+  readonly answer?: Blocks;
+}
+
+/** Procedures, and single lines of procedures, by their names in the listings. */
+export interface PrintedListing {
+  readonly is: 'listing';
+  readonly edition: Edition;
+  readonly names: readonly string[];
 }
 
 export interface Figure {
@@ -88,6 +99,8 @@ export type Align = (typeof alignments)[number];
 /** The text of a lesson in one language. */
 export interface Story {
   readonly title: Inlines;
+  /** What the reader can do after the lesson. */
+  readonly goals: readonly Inlines[];
   readonly blocks: Blocks;
   /** Figures as SVG, by name. */
   readonly figures: ReadonlyMap<string, string>;
@@ -101,6 +114,26 @@ export interface Pin {
   readonly step: number;
 }
 
+/** A publication on which a lesson rests. */
+export interface Source {
+  readonly authors: string;
+  readonly year: string;
+  readonly title: string;
+  /** The journal, the report or the publisher. */
+  readonly in: string;
+  readonly url?: string;
+  /** The chapter to read; absent for all of it. */
+  readonly chapter?: string;
+  /** A translation, as a reference of its own. */
+  readonly translations?: Partial<Readonly<Record<Language, string>>>;
+}
+
+/** Another lesson, which comes first. */
+export interface Prerequisite {
+  readonly id: string;
+  readonly title: Bilingual<string>;
+}
+
 /** A lesson as `vidno lesson build` writes it: its text in both languages, and the pins that the text links to. */
 export interface LessonStory {
   readonly id: string;
@@ -109,6 +142,12 @@ export interface LessonStory {
   readonly pins: ReadonlyMap<string, Pin>;
   /** The parts of the state to show beside the text. */
   readonly shows?: readonly StatePart[];
+  /** The minutes that it takes in class, without the exercises. */
+  readonly minutes?: number;
+  readonly prerequisites?: readonly Prerequisite[];
+  /** What the reader must know besides. */
+  readonly assumes?: Bilingual<string>;
+  readonly sources?: readonly Source[];
   readonly story: Bilingual<Story>;
 }
 
@@ -137,13 +176,16 @@ const inline: Check<Inline> = (value, path) =>
 const blocks: Check<Blocks> = (value, path) => list(block)(value, path);
 
 const level = oneOf(2, 3);
+const asked = { number: count, blocks, answer: optional(blocks) };
 
 const block: Check<Block> = oneKind({
   heading: { level, text: inlines },
   paragraph: { text: inlines },
   list: { ordered: bool, items: list(blocks) },
   quote: { blocks },
-  question: { number: count, blocks, answer: blocks },
+  question: asked,
+  exercise: asked,
+  listing: { edition, names: list(text) },
   code: { language: text, text },
   formula: { tex: text },
   figure: { caption: inlines, command: text, file: text },
@@ -154,11 +196,28 @@ const block: Check<Block> = oneKind({
   },
 });
 
-const written = part({ title: inlines, blocks, figures: optional(dictionary(text)) });
+const written = part({
+  title: inlines,
+  goals: optional(list(inlines)),
+  blocks,
+  figures: optional(dictionary(text)),
+});
 const story: Check<Story> = (value, path) => {
-  const { figures = new Map<string, string>(), ...read } = written(value, path);
-  return { ...read, figures, places: placesIn(read) };
+  const { figures = new Map<string, string>(), goals = [], ...read } = written(value, path);
+  return { ...read, goals, figures, places: placesIn({ ...read, goals }) };
 };
+
+const inEach = part(inEachLanguage(() => text));
+
+const source = part({
+  authors: text,
+  year: text,
+  title: text,
+  in: text,
+  url: optional(webAddress),
+  chapter: optional(text),
+  translations: optional(part(inEachLanguage(() => optional(text)))),
+});
 
 const lesson = part({
   format: formatOf('vidno-lesson/1'),
@@ -166,6 +225,10 @@ const lesson = part({
   traces: dictionary(text),
   pins: dictionary(part({ run: text, step: count })),
   shows: optional(list(oneOf(...stateParts))),
+  minutes: optional(count),
+  prerequisites: optional(list(part({ id: text, title: inEach }))),
+  assumes: optional(inEach),
+  sources: optional(list(source)),
   story: part(inEachLanguage(() => story)),
 });
 

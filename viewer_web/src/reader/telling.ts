@@ -1,4 +1,5 @@
 import type { FirstTerms } from '../i18n/glossary.js';
+import type { Language } from '../language/language.js';
 import type { ReaderTexts } from '../language/reader-texts.js';
 import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
@@ -18,7 +19,16 @@ export interface Telling {
   readonly terms: FirstTerms | null;
   /** The address of a figure in SVG. */
   readonly drawingOf: (svg: string) => string;
+  /** Whether the text stands a second time in the page, for print only: then its pins are no places. */
+  readonly isCopy?: boolean;
+  readonly language: Language;
 }
 
 /** The same where no term is explained: in a heading, a caption or a link. */
 export const withoutTerms = (telling: Telling): Telling => ({ ...telling, terms: null });
+
+/** The same for a copy of a text that is printed at another place. */
+export const withoutPlaces = (telling: Telling): Telling => ({
+  ...withoutTerms(telling),
+  isCopy: true,
+});

@@ -30,6 +30,7 @@ function told(language: Language): object {
   const words = paragraph(passage[language]);
   return {
     title: [say('From windows to pixels ', 'От окон к пикселям '), evil],
+    goals: [[say('split ', 'делить '), code('W13')], [say('count', 'считать')]],
     blocks: [
       words,
       heading(2, say('The first windows', 'Первые окна')),
@@ -71,7 +72,11 @@ function told(language: Language): object {
         blocks: [paragraph(say('How many?', 'Сколько?'))],
         answer: [paragraph(say('Three ', 'Три '), pin('first', say('windows', 'окна')), '.')],
       },
+      // An exercise as in a lesson that was built without answers.
+      { is: 'exercise', number: 1, blocks: [paragraph(say('Compute it.', 'Вычислите.'))] },
       heading(2, say('The other method', 'Другой метод')),
+      paragraph({ is: 'strong', text: [say('Depth', 'Глубина')] }, ' z.'),
+      { is: 'listing', names: ['Depth', 'PW7'], edition: 'printed' },
       words,
       paragraph(pin('scanline', say('A scanline', 'Строка растра')), '.'),
       words,
@@ -110,6 +115,23 @@ export function sampleLesson(other: object = {}): object {
       second: { run: 'run', step: 60 },
       scanline: { run: 'depths', step: 33 },
     },
+    minutes: 25,
+    prerequisites: [
+      { id: 'second', title: { en: 'Lesson second', ru: 'Урок second' } },
+      { id: 'nowhere', title: { en: 'Not here', ru: 'Не здесь' } },
+    ],
+    assumes: { en: 'Lines.', ru: 'Прямые.' },
+    sources: [
+      {
+        authors: 'D. F. Rogers',
+        year: '1998',
+        title: 'Procedural Elements',
+        in: 'McGraw-Hill',
+        url: 'https://example.org/rogers',
+        chapter: '4',
+        translations: { ru: 'Роджерс Д. Основы.' },
+      },
+    ],
     story: { en: told('en'), ru: told('ru') },
     ...other,
   };
