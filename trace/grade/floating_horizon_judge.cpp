@@ -1,7 +1,6 @@
 #include "grade/floating_horizon_judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vidno::grading {
 
