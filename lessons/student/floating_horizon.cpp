@@ -20,16 +20,16 @@ public:
 private:
     /// FH3 to FH10. Here are only the ends of the side edges. The calls, in order:
     ///     Horizon along the left edge, over the columns between its ends: raise, lower; the result: horizon
-    ///     left_edge
+    ///     side_edge
     ///     Visibility over the first column: height; the result: visibility
     ///     for each next column Visibility, and then for each visible part:
     ///         Intersection, if the part begins or ends between the columns: step; the result: intersection
-    ///         draw; Horizon: raise, lower; the result: horizon
+    ///         draw_line; Horizon: raise, lower; the result: horizon
     ///     Horizon along the right edge
-    ///     right_edge
+    ///     side_edge
     void draw(const std::vector<Sample>& samples) {
-        trace_.left_edge(samples.front().x, samples.front().y);
-        trace_.right_edge(samples.back().x, samples.back().y);
+        trace_.side_edge(samples.front().x, samples.front().y);
+        trace_.side_edge(samples.back().x, samples.back().y);
     }
 
     FloatingHorizonTrace& trace_;

@@ -304,7 +304,7 @@ protected:
                    {"ShowLine", "span", Detail::polygons, false},
                    {"RegionClip", "clipped", Detail::polygons, false},
                    {"RemoveBehind", "nearer_ones", Detail::polygons, false},
-                   {"SideEdge", "left_edge` or `right_edge", Detail::polygons, false},
+                   {"SideEdge", "side_edge", Detail::polygons, false},
                    {"Visibility", "visibility", Detail::signs, false},
                    {"Horizon", "horizon", Detail::signs, true},
                    {"Intersection", "intersection", Detail::signs, false}};
@@ -1047,9 +1047,11 @@ public:
 
     // PaintRegions
 
-    /// The pixels first <= x < end of row y will be painted.
-    void row(int y, int first, int end) {
+    /// Row y meets a visible region from left to right; its pixels first <= x < end will be painted.
+    void row(int y, double left, double right, int first, int end) {
         begin("row");
+        if (!run(method)) return;
+        tell(Detail::signs, "row", "PR1", "row", y, "left", left, "right", right, "first", first, "end", end);
         Pixels pixels{first, y, end, y + 1};
         if (cut(pixels)) rows_.push_back(pixels);
     }
@@ -1125,9 +1127,15 @@ public:
         tell(Detail::windows, "curve", "FH2", "curve", next);
     }
 
-    /// Result of SideEdge: the left or the right edge has come to this end of the curve.
-    void left_edge(int x, double y) { side_edge("left_edge", "FH3", x, y); }
-    void right_edge(int x, double y) { side_edge("right_edge", "FH10", x, y); }
+    /// Result of SideEdge: the edge on that side has come to this end of the curve.
+    void side_edge(int x, double y) {
+        if (!has_curve("side_edge")) return;
+        const bool is_left = x == samples().front().x;
+        const char* const at = is_left ? "FH3" : "FH10";
+        if (!end(side_edge_of_curve, at)) return;
+        has_left_edge_ = has_left_edge_ || is_left;
+        tell(Detail::polygons, "side_edge", at, "sample", list(x, y));
+    }
 
     // Visibility
 
@@ -1167,8 +1175,8 @@ public:
         has_met_ = true;
     }
     /// A part of the curve is visible, from left to right, within two neighbouring samples.
-    void draw(double from_x, double from_y, double to_x, double to_y) {
-        if (!is_on_curve("draw", from_x, to_x) || !run(method)) return;
+    void draw_line(double from_x, double from_y, double to_x, double to_y) {
+        if (!is_on_curve("draw_line", from_x, to_x) || !run(method)) return;
         const bool is_whole = from_x == std::floor(from_x) && to_x == std::floor(to_x);
         if (line_at_.empty()) line_at_ = is_whole ? "FH6" : to_x == std::floor(to_x) ? "FH8" : "FH7";
         const Json segment = segment_of(from_x, to_x);
@@ -1180,7 +1188,7 @@ public:
         has_drawn_ = true;
     }
 
-    // Horizon, after `draw` or before an edge
+    // Horizon, after `draw_line` or before an edge
 
     /// The upper horizon over the column becomes y.
     void raise(int x, double y) { move("raise", "H2", upper_, x, y); }
@@ -1242,11 +1250,6 @@ private:
         return is;
     }
 
-    void side_edge(const char* call, const char* at, int x, double y) {
-        if (!has_curve(call) || !end(side_edge_of_curve, at)) return;
-        has_left_edge_ = true;
-        tell(Detail::polygons, "side_edge", at, "sample", list(x, y));
-    }
     bool looks(const char* call, int x) { return is_on_curve(call, x, x) && run(visibility_of_point, looked_at()); }
     const char* looked_at() const { return has_looked_ ? "FH5" : "FH4"; }
     /// A line that was visible ends at the first intersection; at the next one the curve becomes visible.

@@ -84,12 +84,12 @@ set(complaints
     "7, clipped: not the next piece of the current list"
     "8, behind: no part inside is left"
     "10, row: pixels outside the area"
-    "2, draw: `curve` comes before"
+    "2, draw_line: `curve` comes before"
     "3, curve: the surface has no curve 1"
     "5, visibility: a flag is -1, 0, 1 or 2"
     "6, raise: a column outside the area"
-    "8, draw: Horizon has not told its result, `horizon`"
-    "11, draw: not between two neighbouring samples of the curve, from left to right")
+    "8, draw_line: Horizon has not told its result, `horizon`"
+    "11, draw_line: not between two neighbouring samples of the curve, from left to right")
 list(TRANSFORM complaints PREPEND "vidno: call ")
 list(JOIN complaints "\n" complaints)
 

@@ -47,25 +47,25 @@ void misuse_weiler_atherton(Detail detail) {
     trace.clipped(0, {}, {});             // 7: the list has one piece, which clips the others
     trace.behind(0, 1, 1, 0, 0.5, true);  // 8: nothing is inside
     trace.nearer_ones({});
-    trace.row(1, -1, 2);  // 10: off the area
+    trace.row(1, -1, 2, -1, 2);  // 10: off the area
     trace.paint(0);
 }
 
 void misuse_floating_horizon(Detail detail) {
     const Surface surface{"Wrong use", {0, 0, 4, 4}, {{{0, 1}, {2, 1}, {3, 1}}}};
     FloatingHorizonTrace trace("wrong_floating_horizon.jsonl", surface, detail);
-    trace.draw(0, 1, 1, 1);  // 2: of no curve
-    trace.curve(1);          // 3: no such curve
+    trace.draw_line(0, 1, 1, 1);  // 2: of no curve
+    trace.curve(1);               // 3: no such curve
     trace.curve(0);
     trace.visibility(3, 3);  // 5: no such flag
     trace.raise(9, 1);       // 6: off the area
     trace.raise(1, 1);
-    trace.draw(0, 1, 1, 1);  // 8: Horizon still runs
+    trace.draw_line(0, 1, 1, 1);  // 8: Horizon still runs
     trace.horizon(1, 1);
-    trace.left_edge(0, 1);
-    trace.draw(1, 1, 3, 1);  // 11: over a sample
-    trace.draw(0, 1, 2, 1);
-    trace.draw(2, 1, 3, 1);
+    trace.side_edge(0, 1);
+    trace.draw_line(1, 1, 3, 1);  // 11: over a sample
+    trace.draw_line(0, 1, 2, 1);
+    trace.draw_line(2, 1, 3, 1);
 }
 
 int main(int count, char** words) {

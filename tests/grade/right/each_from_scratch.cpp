@@ -81,7 +81,7 @@ private:
         const auto y = [&](float x) {
             return float(p.y) + (float(q.y) - float(p.y)) * (x - float(p.x)) / float(q.x - p.x);
         };
-        trace_.draw(from, y(from), to, y(to));
+        trace_.draw_line(from, y(from), to, y(to));
     }
 
     const std::vector<std::vector<Sample>>& curves_;

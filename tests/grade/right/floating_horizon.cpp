@@ -33,10 +33,10 @@ public:
             const std::vector<Sample>& samples = surface.curves[i];
             trace.curve(int(i));
             if (i > 0) follow_edge(surface.curves[i - 1].front(), samples.front());
-            trace.left_edge(samples.front().x, samples.front().y);
+            trace.side_edge(samples.front().x, samples.front().y);
             draw_curve(samples);
             if (i > 0) follow_edge(surface.curves[i - 1].back(), samples.back());
-            trace.right_edge(samples.back().x, samples.back().y);
+            trace.side_edge(samples.back().x, samples.back().y);
         }
     }
 
@@ -110,7 +110,7 @@ private:
     }
 
     void draw(const Sample& from, const Sample& to, Place first, Place last) {
-        trace_.draw(first.x, first.y, last.x, last.y);
+        trace_.draw_line(first.x, first.y, last.x, last.y);
         raise(from, to, int(std::ceil(first.x)), int(std::floor(last.x)));
     }
 

@@ -36,7 +36,7 @@ void draw_beyond(FloatingHorizonTrace& trace, int x, double y0, double y1, doubl
     if (before <= 0 && after <= 0) return;
     const double t = before / (before - after);
     const double from = before < 0 ? t : 0, to = after < 0 ? t : 1;
-    trace.draw(x + from, y0 + (y1 - y0) * from, x + to, y0 + (y1 - y0) * to);
+    trace.draw_line(x + from, y0 + (y1 - y0) * from, x + to, y0 + (y1 - y0) * to);
 }
 
 int main() {
