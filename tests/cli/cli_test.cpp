@@ -75,11 +75,11 @@ TEST_CASE("diff: the step at which two traces diverge") {
     REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("b.jsonl.gz")).status == 0);
     REQUIRE(program("trace " + scene + " --kernel exact -o " + work.file("c.jsonl")).status == 0);
     CHECK(program("diff " + work.file("a.jsonl") + " " + work.file("b.jsonl.gz")).status == 0);
-    const auto parted = program("diff " + work.file("a.jsonl") + " " + work.file("c.jsonl"));
-    CHECK(parted.status == 1);
+    const auto difference = program("diff " + work.file("a.jsonl") + " " + work.file("c.jsonl"));
+    CHECK(difference.status == 1);
     // The first event is the plane, whose numbers `exact` writes as fractions: c is twice the area of the unit square.
-    CHECK(parted.text.find("part at step 1\n") != std::string::npos);
-    CHECK(parted.text.find("\"2/1\"") != std::string::npos);
+    CHECK(difference.text.find("differ from step 1 on\n") != std::string::npos);
+    CHECK(difference.text.find("\"2/1\"") != std::string::npos);
 }
 
 TEST_CASE("A trace that was cut short, is partial or has a wrong hash: exit 1") {

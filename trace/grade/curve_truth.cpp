@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "grade/magnitude.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno {
@@ -11,8 +12,6 @@ namespace vidno {
 namespace {
 
 using Cell = std::optional<Rational>;
-
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
 
 /// Over the columns of the area. Heights grow downward, so the upper horizon is the least height.
 struct HorizonPair {

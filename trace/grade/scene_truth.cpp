@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "grade/magnitude.h"
 #include "grade/words.h"
 #include "json/json_text.h"
 #include "vidno/kernels/exact.h"
@@ -23,8 +24,6 @@ using Outline2 = std::vector<Point2>;
 Rational cross(const Point2& o, const Point2& a, const Point2& b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
-
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
 
 /// Twice the area, positive if the outline turns from x to y.
 Rational twice_area(const Outline2& outline) {
