@@ -14,7 +14,7 @@ export default defineConfig({
     minWorkers: 1,
     // The files that a process runs share its browser.
     isolate: false,
-    testTimeout: 120_000,
+    testTimeout: 300_000,
     hookTimeout: 60_000,
     // A shared machine may stand still for seconds in the middle of a drag: then once more, and the report says so.
     retry: 1,
