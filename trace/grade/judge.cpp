@@ -127,12 +127,12 @@ void look_at_pixels(const SceneTruth& truth, const Picture& picture, Judgement& 
 void look_at_curves(const CurveTruth& truth, const std::map<int, DrawnParts>& drawn, Judgement& found) {
     found.open_places = truth.open_columns();
     found.is_plain = !truth.touches_on_column();
-    constexpr double step = 0.25;
+    constexpr int steps = 4;
     for (int curve = 0; curve < int(truth.scene().curves.size()); ++curve) {
         const auto parts = drawn.find(curve);
         const auto& samples = truth.scene().curves[std::size_t(curve)].samples;
-        for (int place = 4 * samples.front().x; place <= 4 * samples.back().x; ++place) {
-            const double x = place * step;
+        for (int place = steps * samples.front().x; place <= steps * samples.back().x; ++place) {
+            const double x = double(place) / steps;
             const auto holds = [x](const auto& part) { return part.first <= x && x <= part.second; };
             const bool is_drawn =
                 parts != drawn.end() && std::any_of(parts->second.begin(), parts->second.end(), holds);

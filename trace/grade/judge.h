@@ -99,8 +99,8 @@ struct Judgement {
     std::optional<Wrong> wrong;
     std::vector<FalseClaim> false_claims;  // all of them; the first belongs to `wrong`
     std::set<Difference> differences;
-    /// Of a complete run: for each wrong pixel its column, its row and the colour that it shows; for each wrong place of a curve the
-    /// curve, four times x, and whether it is drawn.
+    /// Each wrong pixel: its column, its row and the colour that it shows. Each wrong place of a curve: the curve, the place in quarters
+    /// of a column, and whether the curve is drawn there. They count only if the run is complete.
     std::vector<std::array<int, 5>> wrong_places;
     int open_places = 0;    // pixels or columns where rounding may decide what shows
     bool is_plain = false;  // no pixel centre lies on an outline, and no curve meets a horizon over a column

@@ -9,8 +9,8 @@ struct Horizon {
     float upper, lower;
 };
 
-float on_line(const Sample& p, const Sample& q, int x) {
-    return float(p.y) + (float(q.y) - float(p.y)) * float(x - p.x) / float(q.x - p.x);
+float on_line(const Sample& p, const Sample& q, float x) {
+    return float(p.y) + (float(q.y) - float(p.y)) * (x - float(p.x)) / float(q.x - p.x);
 }
 
 class FromScratch {
@@ -34,11 +34,11 @@ private:
         for (std::size_t c = 0; c < curve; ++c) {
             const std::vector<Sample>& samples = curves_[c];
             for (std::size_t i = 1; i < samples.size(); ++i) {
-                if (samples[i - 1].x <= x && x <= samples[i].x) include(on_line(samples[i - 1], samples[i], x));
+                if (samples[i - 1].x <= x && x <= samples[i].x) include(on_line(samples[i - 1], samples[i], float(x)));
             }
         }
         const auto include_edge = [&](const Sample& p, const Sample& q) {
-            if (std::min(p.x, q.x) < x && x < std::max(p.x, q.x)) include(on_line(p, q, x));
+            if (std::min(p.x, q.x) < x && x < std::max(p.x, q.x)) include(on_line(p, q, float(x)));
         };
         for (std::size_t c = 1; c <= curve; ++c) {
             include_edge(curves_[c - 1].front(), curves_[c].front());
@@ -52,7 +52,7 @@ private:
         const Horizon first = horizon(curve, x), last = horizon(curve, x + 1);
         from = to = 1;
         if (!first.is || !last.is) return;
-        const float y0 = on_line(p, q, x), y1 = on_line(p, q, x + 1);
+        const float y0 = on_line(p, q, float(x)), y1 = on_line(p, q, float(x + 1));
         from = 0;
         limit(y0 - first.upper, y1 - last.upper, from, to);
         limit(first.lower - y0, last.lower - y1, from, to);
@@ -78,10 +78,7 @@ private:
     }
     void put(const Sample& p, const Sample& q, float from, float to) {
         if (from >= to) return;
-        const auto y = [&](float x) {
-            return float(p.y) + (float(q.y) - float(p.y)) * (x - float(p.x)) / float(q.x - p.x);
-        };
-        trace_.draw_line(from, y(from), to, y(to));
+        trace_.draw_line(from, on_line(p, q, from), to, on_line(p, q, to));
     }
 
     const std::vector<std::vector<Sample>>& curves_;
