@@ -105,11 +105,12 @@ private:
 };
 
 /// The sink of vidno's recorder.
-class ProcedureTrace final : public Trace, public EventSink {
+class ProcedureTrace final : public PolygonTrace, public EventSink {
 public:
     /// `drawn` is the scene in vidno's own form.
     ProcedureTrace(const std::string& file, const std::string& name, const Scene& scene, const vidno::Scene& drawn)
-        : Trace(file, name.c_str(), scene, Detail::signs, Precision::double_precision), events_(polygon_names(drawn)) {}
+        : PolygonTrace(file, name.c_str(), scene, Detail::signs, Precision::double_precision),
+          events_(polygon_names(drawn)) {}
 
     void hear(const EventView& event) override {
         Text line;
