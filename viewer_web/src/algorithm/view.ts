@@ -3,6 +3,7 @@ import type { Language } from '../language/language.js';
 import type { PageTexts, Texts } from '../language/texts.js';
 import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Target } from '../picture/target.js';
 import type { Columns } from '../replay/columns.js';
 import type { Line, Lines } from '../replay/lines.js';
 import type { Screen } from '../replay/screen.js';
@@ -36,6 +37,8 @@ export interface View {
   readonly pointed: string | null;
   /** The things that the current question is about, in the same form. */
   readonly asked?: readonly string[];
+  /** The places in the picture that answer the current question. */
+  readonly targets?: readonly Target[];
   /** The marks of the decisions worth looking at. */
   readonly found?: readonly Mark[];
 }

@@ -1,4 +1,6 @@
 import { columnThing, curveThing } from '../algorithm/pointed.js';
+import { path } from '../picture/mark.js';
+import type { Mark } from '../picture/mark.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import type { Asker } from '../predict/asker.js';
@@ -7,6 +9,7 @@ import type { Option } from '../predict/question.js';
 import type { Trace } from '../replay/trace.js';
 import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
+import type { Area } from '../trace/header.js';
 import type { N } from '../trace/values.js';
 import { sideBeside } from './sides.js';
 
@@ -17,9 +20,18 @@ const farthest = 200;
 
 type Height = Event<'height'>;
 
+/** A line over a column, from the top of the area to its bottom. */
+const over = (x: number, { y, height }: Area): readonly Mark[] => [
+  path('pointed', [
+    [x, y],
+    [x, y + height],
+  ]),
+];
+
 /** A column with the values over it, which help to answer. */
-const columnOption = (x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
+const columnOption = (area: Area, x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
   value: String(x),
+  places: over(x, area),
   note: ({ numbers, curves }) => {
     const shown = (value: N | null | undefined): string =>
       value === null || value === undefined ? '—' : numbers.short(value);
@@ -57,9 +69,13 @@ export const flags: Asker<'flags'> = {
     const heights = stepsOf(trace, step, until, 'height').map(({ event }) => event);
     const found = new Set(next.map(({ event }) => event.flag));
     if (found.size < 2 || !heights.every(hasHorizon)) return null;
-    const options = heights.map(({ x, y, upper, lower }) => columnOption(x, y, upper, lower));
-    const over = (...wanted: readonly number[]): readonly string[] =>
+    const options = heights.map(({ x, y, upper, lower }) =>
+      columnOption(trace.header.scene.area, x, y, upper, lower),
+    );
+    const flagged = (...wanted: readonly number[]): readonly string[] =>
       next.filter(({ event }) => wanted.includes(event.flag)).map(({ event }) => String(event.x));
+    const decidedBy = (x: string | null): number | undefined =>
+      next.find(({ event }) => String(event.x) === x)?.step;
     const curve = curveOf(trace, step);
     return {
       kind: 'flags',
@@ -67,8 +83,8 @@ export const flags: Asker<'flags'> = {
       until,
       about: { curve },
       parts: [
-        { asks: 'above', options, right: over(1, 2) },
-        { asks: 'below', options, right: over(-1, 2) },
+        { asks: 'above', options, right: flagged(1, 2), decidedBy },
+        { asks: 'below', options, right: flagged(-1, 2), decidedBy },
       ],
       because: inOrder(next),
       things: [curveThing(curve)],
@@ -92,7 +108,9 @@ export const horizons: Asker<'horizons'> = {
     const left = trace.header.scene.area.x;
     const now = (which: 'upper' | 'lower', x: number): N | null =>
       columns?.horizons[which].row(0)[x - left] ?? null;
-    const options = known.map(({ x, y }) => columnOption(x, y, now('upper', x), now('lower', x)));
+    const options = known.map(({ x, y }) =>
+      columnOption(trace.header.scene.area, x, y, now('upper', x), now('lower', x)),
+    );
     if (known.some(({ x }) => now('upper', x) === null)) return null;
     const raised = stepsOf(trace, step, result.step, 'raise');
     const lowered = stepsOf(trace, step, result.step, 'lower');
@@ -132,6 +150,7 @@ export const meeting: Asker<'meeting'> = {
     const isUpper = (result.event.at === 'FH7' ? was : is) === 'above';
     const isFirstByDefect = hasDefect(trace.header.edition, 'x-h2') && was === 'hidden'; // X-H2
     const { columns } = result.event;
+    const { area } = trace.header.scene;
     const spot = columns[0] === columns[1] ? String(columns[0]) : between;
     return {
       kind: 'meeting',
@@ -144,13 +163,17 @@ export const meeting: Asker<'meeting'> = {
           options: [{ value: 'upper' }, { value: 'lower' }],
           right: [isUpper || isFirstByDefect ? 'upper' : 'lower'],
           given: known.map(({ x, y, upper, lower }) => ({
-            ...columnOption(x, y, upper, lower),
+            ...columnOption(trace.header.scene.area, x, y, upper, lower),
             of: 'column',
           })),
         },
         {
           asks: 'where',
-          options: [{ value: String(from[0]) }, { value: between }, { value: String(to[0]) }],
+          options: [
+            { value: String(from[0]), places: over(from[0], area) },
+            { value: between, places: over(from[0] + 0.5, area) },
+            { value: String(to[0]), places: over(to[0], area) },
+          ],
           right: [spot],
         },
       ],

@@ -32,6 +32,15 @@ export interface PredictTexts {
   readonly horizons: Readonly<Record<'upper' | 'lower', string>>;
   readonly between: string;
   readonly overColumn: (column: string) => string;
+  readonly inPicture: string;
+  readonly hintFor: string;
+  /** With the share of a point that it costs. */
+  readonly hintCosts: (cost: string) => string;
+  readonly hinted: Readonly<Record<'one' | 'some' | 'row', (entry: string) => string>>;
+  readonly hintedNothing: string;
+  readonly firstWrong: (entry: string) => string;
+  readonly tooLong: string;
+  readonly points: (points: string, most: number) => string;
   readonly check: string;
   readonly giveUp: string;
   readonly again: string;

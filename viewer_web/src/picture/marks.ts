@@ -11,7 +11,8 @@ function isFinite(mark: Mark): boolean {
   return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
 }
 
-function thingMarks(text: string, view: View): readonly Mark[] {
+/** The marks of a thing that is pointed at. */
+export function marksOfThing(text: string, view: View): readonly Mark[] {
   const thing = thingOf(text, view);
   const { header } = view;
   if (thing === null) return [];
@@ -34,7 +35,7 @@ function thingMarks(text: string, view: View): readonly Mark[] {
 function pointedMarks(view: View): readonly Mark[] {
   const { asked = [], pointed } = view;
   const things = pointed === null ? asked : [...asked, pointed];
-  return things.flatMap((thing) => thingMarks(thing, view));
+  return things.flatMap((thing) => marksOfThing(thing, view));
 }
 
 /** All visible marks of a step; later marks are on top. */

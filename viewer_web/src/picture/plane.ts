@@ -10,11 +10,13 @@ import type { Area } from '../trace/header.js';
 import './axes.js';
 import { extentOf } from './extent.js';
 import { Frame, margins } from './frame.js';
-import type { Point, Zoom, Zooming } from './frame.js';
+import type { Point, Rectangle, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
 import { OwnSize, pointIn } from './own-size.js';
 import { isIn, isOther, moved, nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
+import { extended } from './target.js';
+import './targets-element.js';
 import './zoom-bar.js';
 
 /** The size of a box, in CSS pixels, below which the margins are small. */
@@ -44,6 +46,8 @@ export abstract class PlaneElement extends LitElement {
   private known: Frame | null = null;
   private sized = this.size.value;
   private left: Pixel | null = null;
+  /** The extent of the scene and of targets outside the area, while there are any. */
+  private reach: Rectangle | null = null;
 
   constructor() {
     super();
@@ -58,7 +62,7 @@ export abstract class PlaneElement extends LitElement {
     const { size, zoom, known } = this;
     const { scene } = this.view.header;
     const { area } = scene;
-    const extent = extentOf(scene);
+    const extent = this.reach ?? extentOf(scene);
     const isSame =
       known?.area === area &&
       known.extent === extent &&
@@ -91,6 +95,18 @@ export abstract class PlaneElement extends LitElement {
   override willUpdate(changed: PropertyValues<this>): void {
     const before = changed.get('view')?.header.scene.area;
     if (before && isOtherArea(before, this.view.header.scene.area)) this.zoom = null;
+    this.showTargets();
+  }
+
+  /** Zooms out as long as there are targets outside the area. */
+  private showTargets(): void {
+    const { targets = [], header } = this.view;
+    const { whole } = this.frame;
+    const isWide = extended(whole, targets) !== whole;
+    const reach = isWide ? extended(extentOf(header.scene), targets) : null;
+    if (reach?.join() === this.reach?.join()) return;
+    this.reach = reach;
+    this.zoom = reach && this.frame.all;
   }
 
   /** The drawing in the plane. */
@@ -186,6 +202,12 @@ export abstract class PlaneElement extends LitElement {
     this.dispatchEvent(new CustomEvent<Pixel>('pixel', { detail: pixel }));
   }
 
+  private targets(frame: Frame): TemplateResult | typeof nothing {
+    const { targets = [] } = this.view;
+    if (targets.length === 0) return nothing;
+    return html`<vidno-targets .targets=${targets} .frame=${frame}></vidno-targets>`;
+  }
+
   override render(): TemplateResult {
     const { frame, gestures, cursor, words } = this;
     const { header, texts: page, language } = this.view;
@@ -212,7 +234,7 @@ export abstract class PlaneElement extends LitElement {
         ${this.drawing(frame)} ${cursor === null ? nothing : this.cursorMark(cursor, frame)}
       </svg>
       <vidno-axes .frame=${frame} .pointed=${cursor ?? this.pointed}></vidno-axes>
-      ${this.above?.(frame)}
+      ${this.above?.(frame)} ${this.targets(frame)}
       <vidno-zoom-bar
         .frame=${frame}
         .texts=${texts[language].picture}

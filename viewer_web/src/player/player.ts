@@ -141,7 +141,8 @@ export class PlayerElement extends StageElement {
     const findings = trace && this.side === 'exact' ? this.checkOf(trace).findings : undefined;
     const found = findings ? findingMarks(findings, step) : this.marginMarks();
     const choice = { language, pixel, pointed: this.pointing.at, asked, ...(found && { found }) };
-    this.view = trace && viewOf(trace, step, choice);
+    const view = trace && viewOf(trace, step, choice);
+    this.view = view && { ...view, targets: this.predictor.targetsIn(view) };
   }
 
   override updated(changed: PropertyValues<this>): void {

@@ -1,4 +1,5 @@
 import { orderOf, point, short, toNumber } from '../language/words.js';
+import { point as dot } from '../picture/mark.js';
 import type { Trace } from '../replay/trace.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
@@ -58,4 +59,8 @@ export function edgeNote({ vertices }: Polygon, edge: number): Note {
 
 /** Points as options. Their value is independent of the language, and their note is what is shown. */
 export const pointOptions = (points: readonly Point[]): readonly Option[] =>
-  points.map((at) => ({ value: point(at), note: ({ numbers }) => numbers.point(at) }));
+  points.map((at) => ({
+    value: point(at),
+    note: ({ numbers }) => numbers.point(at),
+    places: [dot('pointed', at)],
+  }));

@@ -72,6 +72,11 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
     if (isSummed) expect(right['hides']?.[0] !== '').toBe(warnock?.hasSurround ?? false);
     expect(right['case']?.[0] === 'surrounded').toBe(right['hides']?.[0] !== '');
   },
+  pop: ({ before, right, after }) => {
+    const top = before.warnock?.stack.at(-1)?.window;
+    expect(right['popped']).toEqual([top?.join(' ')]);
+    expect(after.warnock?.window).toEqual(top);
+  },
   relation: ({ trace, question, right }) => {
     if (question.kind !== 'relation') return;
     // A polygon that surrounds the window or lies outside joins that list at the next step.
@@ -114,13 +119,29 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
     expect(after.warnock?.color).toBe(scene.byId.get(winner)?.color ?? scene.background);
     expect(right['covers']).toContain(winner);
   },
-  clip: ({ before, after, right }) => {
+  clip: ({ before, after, question, right }) => {
     const listOf = ({ warnock }: Values): readonly (readonly number[])[] =>
       (warnock?.clip?.vertices ?? []).map((vertex) => vertex.map(toNumber));
     const [old, left] = [listOf(before), listOf(after)];
     expect(left).toHaveLength(right['list']?.length ?? -1);
     right['list']?.forEach((value, i) => {
       if (value !== 'x') expect(left[i]).toEqual(old[Number(value) - 1]);
+    });
+    // An edge crosses the side if its ends lie on different sides of the line; on it, rounding may decide.
+    const [x, y, width, height] = before.warnock?.window ?? [0, 0, 0, 0];
+    const depths = [
+      ([, at = 0]) => at - y,
+      ([at = 0]) => at - x,
+      ([, at = 0]) => y + height - at,
+      ([at = 0]) => x + width - at,
+    ] satisfies ((vertex: readonly number[]) => number)[];
+    const depth = question.kind === 'clip' ? depths[question.about.side - 1] : undefined;
+    const within = old.map((vertex) => Math.sign(depth?.(vertex) ?? NaN));
+    old.forEach((_, i) => {
+      const before = (i + old.length - 1) % old.length;
+      const product = (within[before] ?? NaN) * (within[i] ?? NaN);
+      const isCut = right['cut']?.includes(`${before + 1}–${i + 1}`);
+      if (product !== 0) expect(isCut).toBe(product < 0);
     });
   },
   ael: ({ before, after, right }) => {

@@ -109,13 +109,14 @@ export class PredictElement extends LitElement {
   }
 
   private score(): TemplateResult | typeof nothing {
-    const { say, predictor } = this;
+    const { say, predictor, view } = this;
     const { record } = predictor;
     if (record.length === 0) return nothing;
-    const { asked, right } = countOf(record);
+    const { asked, right, points, parts } = countOf(record);
     return html`<section class="score">
       <h3>${say.score}</h3>
       <p><b>${say.counted(right, asked)}</b></p>
+      <p>${say.points(texts[view.language].numbers.short(points), parts)}</p>
       <p class="hint">${say.first}</p>
       <ol>
         ${record.map((answered) => this.answered(answered))}

@@ -3,14 +3,19 @@ import type { Language } from '../language/language.js';
 import { grade } from './grade.js';
 import type { Answer } from './grade.js';
 import { moodleXml } from './moodle.js';
-import type { Kind, Question } from './question.js';
+import type { Kind, Part, Question } from './question.js';
 import { kinds } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 import { reasonsOf } from './reasons.js';
 import type { Reason } from './reasons.js';
 import { runOf } from './score.js';
 import type { Answered } from './score.js';
+import { answerOf, emptySheet, hinted, pressed } from './sheet.js';
+import type { Entry, Sheet } from './sheet.js';
+import { targetsOf } from './targets.js';
+import type { View } from '../algorithm/view.js';
 import type { Way } from '../base/setting.js';
+import type { Target } from '../picture/target.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
 
@@ -31,6 +36,11 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
 /** The current question. */
 export interface Current {
   readonly question: Question;
+  readonly sheet: Sheet;
+  /** The part that is being answered, whose options can be chosen in the picture too. */
+  readonly part: number;
+  /** Grows whenever the question is asked, so that the focus goes to it. */
+  readonly turn: number;
   /** Whether the first answer, which counts, was given. */
   readonly isAnswered: boolean;
   /** The result of the last answer; null while the question waits for an answer. */
@@ -119,7 +129,14 @@ export class Predictor {
   }
 
   private open(question: Question): void {
-    this.current = { question, isAnswered: false, verdict: null };
+    this.current = {
+      question,
+      sheet: emptySheet(question),
+      part: 0,
+      turn: 0,
+      isAnswered: false,
+      verdict: null,
+    };
     this.ahead = null;
     this.host.side = 'predict';
   }
@@ -142,7 +159,7 @@ export class Predictor {
     if (!this.isOpen) this.find();
     if (this.current !== null && this.isOpen) {
       host.moveTo(this.current.question.step);
-      this.current = { ...this.current };
+      this.current = { ...this.current, turn: this.current.turn + 1 };
     }
     host.requestUpdate();
   }
@@ -157,8 +174,50 @@ export class Predictor {
     if (found !== null && !this.isOver) this.open(found);
   }
 
-  answer(given: Answer): void {
-    if (this.current !== null) this.judge(given, grade(this.current.question, given));
+  /** The places in the picture that answer the part in focus. */
+  targetsIn(view: View): readonly Target[] {
+    const { current, host } = this;
+    if (current?.verdict !== null || current.question.step !== host.step) return [];
+    const { question, part, sheet } = current;
+    return targetsOf(view, question, part, sheet, (at, value) => this.press(at, value));
+  }
+
+  /** Turns to a part, so that the picture offers its options. */
+  turnTo(part: number): void {
+    if (this.current === null || this.current.part === part) return;
+    this.current = { ...this.current, part };
+    this.host.requestUpdate();
+  }
+
+  private enter(part: number, entryOf: (part: Part, old: Entry) => Entry): void {
+    const { current } = this;
+    const asked = current?.question.parts[part];
+    if (current === null || asked === undefined || current.verdict !== null) return;
+    const sheet = current.sheet.map((old, i) => (i === part ? entryOf(asked, old) : old));
+    this.current = { ...current, part, sheet };
+    this.host.requestUpdate();
+  }
+
+  /** Chooses an option, in the panel or in the picture. */
+  press(part: number, value: string): void {
+    this.enter(part, (asked, old) => pressed(asked, old, value));
+  }
+
+  /** Replaces the text of a row. */
+  type(part: number, text: string): void {
+    this.enter(part, (_, old) => ({ ...old, chosen: text === '' ? [] : [text] }));
+  }
+
+  hint(part: number): void {
+    this.enter(part, hinted);
+  }
+
+  /** Judges the answer on the sheet. */
+  answer(): void {
+    const { current } = this;
+    if (current === null) return;
+    const given = answerOf(current.question, current.sheet);
+    this.judge(given, grade(current.question, given));
   }
 
   giveUp(): void {
@@ -179,7 +238,8 @@ export class Predictor {
 
   /** Asks the question once more, without counting the answer. */
   again(): void {
-    if (this.current !== null) this.current = { ...this.current, verdict: null };
+    if (this.current !== null)
+      this.current = { ...this.current, part: 0, turn: this.current.turn + 1, verdict: null };
     this.host.requestUpdate();
   }
 
@@ -193,12 +253,14 @@ export class Predictor {
       );
     } else {
       const way: Way = this.isForced ? 'forced' : 'free';
-      this.record = [...record, { run: runOf(trace), way, question, given, right, tries: 1 }];
+      const { sheet } = current;
+      const answered = { run: runOf(trace), way, question, sheet, given, right, tries: 1 };
+      this.record = [...record, answered];
       this.asked = [...this.asked, question];
       this.from = question.until;
       this.lookAgain();
     }
-    this.current = { question, isAnswered: true, verdict: { given, right } };
+    this.current = { ...current, isAnswered: true, verdict: { given, right } };
     this.host.requestUpdate();
   }
 

@@ -10,13 +10,14 @@ import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../language/predict-texts.js';
 import type { Command } from '../time/command.js';
 import { optionName, valueName } from './answers.js';
-import { typedRow } from './grade.js';
 import type { Current, Predictor } from './predictor.js';
 import { parts as forms } from './question.js';
 import type { Part } from './question.js';
 import { questionStyle } from './question.style.js';
+import { stepAgainst } from './reasons.js';
 import type { Reason } from './reasons.js';
-import { sayIntro, sayRight } from './say.js';
+import { sayEntry, sayIntro, sayRight } from './say.js';
+import { answerOf, firstWrong, hintCost } from './sheet.js';
 
 /** A question as a form, and the result of the answer. */
 @customElement('vidno-question')
@@ -27,8 +28,6 @@ export class QuestionElement extends LitElement {
   @property({ attribute: false }) predictor!: Predictor;
   @property({ attribute: false }) current!: Current;
   @property({ attribute: false }) reasons: readonly Reason[] = [];
-  /** The chosen values of each part; for a row, the typed text. */
-  @state() private chosen: readonly (readonly string[])[] = [];
   @state() private isMissing = false;
   @query('h3') private heading!: HTMLElement;
   @query('.result') private result!: HTMLElement | null;
@@ -39,34 +38,26 @@ export class QuestionElement extends LitElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (!changed.has('current')) return;
-    this.isMissing = false;
-    const isOther = changed.get('current')?.question !== this.current.question;
-    if (isOther) this.chosen = this.current.question.parts.map(() => []);
+    const before = changed.get('current');
+    if (before?.question !== this.current.question) this.isMissing = false;
   }
 
   override updated(changed: PropertyValues<this>): void {
+    const before = changed.get('current');
     if (!changed.has('current')) return;
+    const isSame = before?.question === this.current.question;
+    if (isSame && before.verdict === this.current.verdict && !this.returns(before)) return;
     const goal = this.current.verdict === null ? this.heading : this.result;
     goal?.focus();
   }
 
-  /** The answer; null for each part without one. */
-  private get answer(): readonly (readonly string[] | null)[] {
-    return this.current.question.parts.map((part, i) => {
-      const chosen = this.chosen[i] ?? [];
-      const [form] = forms[part.asks];
-      if (form === 'row') return typedRow(part, chosen[0] ?? '');
-      return form === 'one' && chosen.length === 0 ? null : chosen;
-    });
-  }
-
   private onSubmit(event: Event): void {
     event.preventDefault();
-    const { answer } = this;
-    const missing = answer.indexOf(null);
+    const { question, sheet } = this.current;
+    const missing = answerOf(question, sheet).indexOf(null);
     this.isMissing = missing >= 0;
     if (this.isMissing) this.inputsOf(missing)[0]?.focus();
-    else this.predictor.answer(answer);
+    else this.predictor.answer();
   }
 
   private inputsOf(part: number): readonly HTMLInputElement[] {
@@ -86,15 +77,13 @@ export class QuestionElement extends LitElement {
     option.click();
   }
 
-  private choose(part: number, values: readonly string[]): void {
-    this.chosen = this.chosen.map((old, i) => (i === part ? values : old));
-  }
-
   override render(): TemplateResult {
     const { view } = this;
     const { question, verdict } = this.current;
+    const isInPicture = (view.targets ?? []).length > 0;
     return html`<form @submit=${this.onSubmit} @keydown=${this.onKey} novalidate autocomplete="off">
       <h3 tabindex="-1">${sayIntro(question, view.language)}</h3>
+      ${verdict === null ? html`<p class=${isInPicture ? 'hint' : 'hint away'}>${this.say.inPicture}</p>` : nothing}
       ${question.parts.map((part, i) => this.field(part, i))}
       ${verdict === null ? this.toDo() : this.judged(verdict)}
     </form>`;
@@ -105,10 +94,17 @@ export class QuestionElement extends LitElement {
     const { verdict } = this.current;
     const [form] = forms[part.asks];
     const isRight = verdict?.right[i] === true;
+    const isInHand = verdict === null && i === this.current.part;
     const given = (part.given ?? []).map(
       (each) => html`<li>${valueName(each.of, each, view)}</li>`,
     );
-    return html`<fieldset data-part=${i} ?disabled=${verdict !== null}>
+    return html`<fieldset
+      data-part=${i}
+      class=${isInHand ? 'in-hand' : ''}
+      @pointerdown=${() => this.predictor.turnTo(i)}
+      ?disabled=${verdict !== null}
+      @focusin=${() => this.predictor.turnTo(i)}
+    >
       <legend>${say.asks[part.asks]} ${verdict === null ? nothing : this.mark(isRight)}</legend>
       ${
         given.length === 0
@@ -118,12 +114,65 @@ export class QuestionElement extends LitElement {
             </ul>`
       }
       ${form === 'row' ? this.row(part, i) : this.options(part, i, form === 'one')}
+      ${this.hinted(part, i)}
       ${
         verdict === null || isRight
           ? nothing
-          : html`<p class="right">${say.rightIs(sayRight(part, view.language))}</p>`
+          : html`<p class="right">${say.rightIs(sayRight(part, view.language))}</p>
+              ${this.firstWrong(part, verdict.given?.[i] ?? null)}`
       }
     </fieldset>`;
+  }
+
+  /** What the last hint for a part said. */
+  private hinted(part: Part, i: number): TemplateResult | typeof nothing {
+    const { say, view, current } = this;
+    const { hinted } = current.sheet[i] ?? {};
+    if (hinted === undefined || current.verdict !== null) return nothing;
+    const said =
+      hinted === null
+        ? say.hintedNothing
+        : say.hinted[forms[part.asks][0]](sayEntry(part, hinted, view.language));
+    return html`<p class="hinted" role="status">${said}</p>`;
+  }
+
+  /** Gives a hint for the part in hand. */
+  private hint(): TemplateResult | typeof nothing {
+    const { say, view, current } = this;
+    const part = current.question.parts[current.part];
+    if (part === undefined || current.isAnswered) return nothing;
+    const cost = texts[view.language].numbers.short(Math.round(hintCost(part) * 100) / 100);
+    return html`<button
+      type="button"
+      title=${say.hintCosts(cost)}
+      @click=${() => this.predictor.hint(current.part)}
+    >
+      ${say.hintFor} <span class="note">−${cost}</span>
+    </button>`;
+  }
+
+  /** The first wrong entry of an answer, and the step that decides it. */
+  private firstWrong(part: Part, given: readonly string[] | null): TemplateResult | typeof nothing {
+    const wrong = given && firstWrong(part, given);
+    if (wrong === null || forms[part.asks][0] === 'one') return nothing;
+    const { say, view, current } = this;
+    const { value } = wrong;
+    const entry = value === null ? say.tooLong : sayEntry(part, value, view.language);
+    const step = stepAgainst(current.question, part, wrong);
+    const reason = this.reasons.find((each) => each.step === step);
+    return html`<p class="first-wrong">${say.firstWrong(entry)}</p>
+      ${reason === undefined ? nothing : html`<div class="reasons">${this.reason(reason)}</div>`}`;
+  }
+
+  private reason({ step, said }: Reason): TemplateResult {
+    return html`<button type="button" @click=${() => this.goTo(step)}>
+      <span>${said}</span> <span class="number">${step}</span>
+    </button>`;
+  }
+
+  /** Whether the question is asked anew, or returned to. */
+  private returns(before: Current): boolean {
+    return before.turn !== this.current.turn;
   }
 
   private mark(isRight: boolean): TemplateResult {
@@ -132,20 +181,17 @@ export class QuestionElement extends LitElement {
   }
 
   private options(part: Part, i: number, isOne: boolean): TemplateResult {
-    const chosen = this.chosen[i] ?? [];
-    const change = (value: string): void => {
-      const others = isOne ? [] : chosen.filter((each) => each !== value);
-      this.choose(i, !isOne && chosen.includes(value) ? others : [...others, value]);
-    };
+    const { chosen = [], ruledOut = [] } = this.current.sheet[i] ?? {};
     return html`<div class="options">
       ${part.options.map(
         (option, n) =>
-          html`<label>
+          html`<label class=${ruledOut.includes(option.value) ? 'ruled-out' : ''}>
             <input
               type=${isOne ? 'radio' : 'checkbox'}
               name=${part.asks}
+              ?disabled=${ruledOut.includes(option.value)}
               .checked=${live(chosen.includes(option.value))}
-              @change=${() => change(option.value)}
+              @change=${() => this.predictor.press(i, option.value)}
             />
             <kbd aria-hidden="true">${n < 9 ? n + 1 : nothing}</kbd>
             <span>${optionName(part.asks, option, this.view)}</span>
@@ -154,8 +200,8 @@ export class QuestionElement extends LitElement {
     </div>`;
   }
 
-  private row({ asks }: Part, i: number): TemplateResult {
-    const { say } = this;
+  private row({ asks, options }: Part, i: number): TemplateResult {
+    const { say, predictor } = this;
     const hint = say.rows[asks as keyof PredictTexts['rows']];
     return html`<input
         type="text"
@@ -163,9 +209,17 @@ export class QuestionElement extends LitElement {
         aria-describedby="row-${i}"
         spellcheck="false"
         autocapitalize="off"
-        .value=${live(this.chosen[i]?.[0] ?? '')}
-        @input=${({ target }: Event) => this.choose(i, [(target as HTMLInputElement).value])}
+        .value=${live(this.current.sheet[i]?.chosen[0] ?? '')}
+        @input=${({ target }: Event) => predictor.type(i, (target as HTMLInputElement).value)}
       />
+      <div class="entries">
+        ${options.map(
+          ({ value }) =>
+            html`<button type="button" tabindex="-1" @click=${() => predictor.press(i, value)}>
+              ${value.replace('-', '−')}
+            </button>`,
+        )}
+      </div>
       <p class="hint" id="row-${i}">${hint}</p>`;
   }
 
@@ -174,6 +228,7 @@ export class QuestionElement extends LitElement {
     return html`<p class="missing" role="status">${this.isMissing ? say.missing : nothing}</p>
       <div class="buttons to-do">
         <button class="main" type="submit">${say.check} <kbd>Enter</kbd></button>
+        ${this.hint()}
         ${
           this.current.isAnswered
             ? nothing
@@ -191,14 +246,7 @@ export class QuestionElement extends LitElement {
       <p class="result ${how}" role="status" tabindex="-1">${say.verdicts[how]}</p>
       <h4>${say.because}</h4>
       <ol class="reasons">
-        ${this.reasons.map(
-          ({ step, said }) =>
-            html`<li>
-              <button type="button" @click=${() => this.goTo(step)}>
-                <span>${said}</span> <span class="number">${step}</span>
-              </button>
-            </li>`,
-        )}
+        ${this.reasons.map((reason) => html`<li>${this.reason(reason)}</li>`)}
       </ol>
       <div class="buttons">
         <button class="main" type="button" @click=${() => this.predictor.next()}>

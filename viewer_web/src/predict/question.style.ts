@@ -10,6 +10,9 @@ export const questionStyle = css`
     letter-spacing: 0;
     overflow-wrap: anywhere;
   }
+  h3 + .hint {
+    margin-top: 0.4rem;
+  }
   h3:focus-visible,
   .result:focus-visible {
     outline-offset: 3px;
@@ -24,6 +27,12 @@ export const questionStyle = css`
   legend {
     padding: 0;
     font-weight: 600;
+  }
+  /* The part that the picture answers, and for which there is a hint. */
+  .in-hand {
+    margin-left: -0.6rem;
+    padding-left: calc(0.6rem - 3px);
+    border-left: 3px solid var(--accent);
   }
   .good {
     color: var(--good);
@@ -88,8 +97,31 @@ export const questionStyle = css`
     color: var(--soft);
     font-size: 0.92em;
   }
-  .right {
+  .right,
+  .first-wrong {
     font-weight: 600;
+  }
+  /* Nothing moves when the reader turns to another part, or a click could miss. */
+  .away {
+    visibility: hidden;
+  }
+  .hinted {
+    color: var(--soft);
+  }
+  .ruled-out span {
+    color: var(--soft);
+    text-decoration: line-through;
+  }
+  .entries {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 0.25rem;
+    margin-top: 0.25rem;
+  }
+  .entries button {
+    min-width: 2rem;
+    min-height: 1.75rem;
+    font-family: var(--mono);
   }
   .buttons {
     display: flex;

@@ -1,9 +1,11 @@
 import type { Texts } from '../language/texts.js';
+import type { Mark } from '../picture/mark.js';
 import type { Box, Corner, Point } from '../trace/values.js';
 
 /** The kinds of questions, in the order of the reader's choice. */
 export const kinds = [
   'window',
+  'pop',
   'relation',
   'ray',
   'octants',
@@ -33,6 +35,7 @@ export type Form = 'one' | 'some' | 'row';
 export type Of =
   | 'case'
   | 'polygon'
+  | 'window'
   | 'corner'
   | 'relation'
   | 'yes'
@@ -43,6 +46,7 @@ export type Of =
   | 'vertex'
   | 'point'
   | 'edge'
+  | 'segment'
   | 'depth'
   | 'column'
   | 'horizon'
@@ -51,6 +55,7 @@ export type Of =
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
+  popped: ['one', 'window'],
   case: ['one', 'case'],
   stay: ['some', 'polygon'],
   hides: ['one', 'polygon'],
@@ -61,6 +66,7 @@ export const parts = {
   covers: ['some', 'polygon'],
   wins: ['one', 'polygon'],
   depth: ['one', 'depth'],
+  cut: ['some', 'segment'],
   list: ['row', 'vertex'],
   leave: ['some', 'edge'],
   enter: ['some', 'edge'],
@@ -102,6 +108,8 @@ export type Note = (texts: Pick<Texts, 'numbers' | 'curves'>) => string;
 export interface Option {
   readonly value: string;
   readonly note?: Note;
+  /** Where it can be chosen in the picture, if its type does not say that. */
+  readonly places?: readonly Mark[];
 }
 
 /** Denotes, in a list of vertices, one that a crossing makes. */
@@ -132,11 +140,15 @@ export interface Part {
   readonly options: readonly Option[];
   readonly right: readonly string[];
   readonly given?: readonly Given[];
+  /** The step that decides an option, or an entry of a row; without it, the last step that decides the question. */
+  decidedBy?(value: string | null, at: number): number | undefined;
 }
 
 /** The data that the text of a question names. */
 export interface Abouts {
   readonly window: { readonly window: Box };
+  /** The window that was divided. */
+  readonly pop: { readonly divided: Box };
   readonly relation: { readonly polygon: string; readonly window: Box };
   readonly ray: { readonly polygon: string; readonly window: Box };
   readonly octants: { readonly polygon: string; readonly window: Box };

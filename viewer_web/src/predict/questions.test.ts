@@ -46,6 +46,15 @@ describe('Warnock’s algorithm asks', () => {
     expect(question.because).toEqual([5, 7, 8]);
   });
 
+  it('which window is popped next, and which case that is', async () => {
+    // The window (2, -1) 8 x 8 is split. Its lower parts begin at y = 3, below the area, and are skipped. The upper right
+    // part is pushed last. A ends at x = 8 inside it and hides nothing there, so it is split again.
+    const question = questionFrom(await small('warnock.signs'), 1, 'pop');
+    expect(question.about.divided).toEqual([2, -1, 8, 8]);
+    expect(question.parts[0]?.options.map(({ value }) => value)).toEqual(['2 -1 4 4', '6 -1 4 4']);
+    expect(answers(question)).toEqual({ popped: ['6 -1 4 4'], case: ['split'] });
+  });
+
   it('nothing about the polygons if the trace is too coarse', async () => {
     const question = questionFrom(await small('warnock.windows'), 1, 'window');
     expect(answers(question)).toEqual({ hides: [''], case: ['split'] });
@@ -72,7 +81,7 @@ describe('Warnock’s algorithm asks', () => {
     // above it, the edge to the second crosses it, the second and the third lie below it.
     const question = questionFrom(await traceOf(textOf('clipped.warnock.signs.jsonl')), 1, 'clip');
     expect(question.about).toEqual({ polygon: 'A', side: 1 });
-    expect(answers(question)).toEqual({ list: ['x', 'x', '2', '3'] });
+    expect(answers(question)).toEqual({ cut: ['3–1', '1–2'], list: ['x', 'x', '2', '3'] });
   });
 
   it('what is visible at a point, and at which depth', async () => {
@@ -162,7 +171,7 @@ describe('a row of pixels', () => {
 
 describe('the next question', () => {
   it('is one that the trace can answer', async () => {
-    expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window']);
+    expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window', 'pop']);
     expect(kindsOf((await small('warnock.polygons')).header)).not.toContain('inside');
     expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['ael', 'pixels']);
     const wedge = await traceOf(textOf('wedge.weiler-atherton.polygons.jsonl'));

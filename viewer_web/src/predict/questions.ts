@@ -19,15 +19,18 @@ export function kindsOf({ method, detail }: Header): readonly Kind[] {
 }
 
 /**
- * A kind is not asked again for this number of steps after its first question, and for twice as many after each further
+ * A subject is not asked about again for this number of steps after its first question, and for twice as many after each further
  * one, up to a limit.
  */
 const leastRest = 16;
 const mostRest = 512;
 
+/** What a kind is about: a window may be asked about before or after it is popped. */
+const subjectOf = (kind: Kind): Kind => (kind === 'pop' ? 'window' : kind);
+
 /** Whether a kind is not to be asked at a step, given the previous questions in order. */
 function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
-  const before = asked.filter((question) => question.kind === kind);
+  const before = asked.filter((question) => subjectOf(question.kind) === subjectOf(kind));
   const rest = Math.min(mostRest, leastRest * 2 ** (before.length - 1));
   return before.some((question) => question.step <= step && step < question.until + rest);
 }

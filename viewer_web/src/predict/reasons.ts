@@ -1,7 +1,8 @@
 import { sentence } from '../algorithm/sentence.js';
 import type { Language } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
-import type { Question } from './question.js';
+import type { Part, Question } from './question.js';
+import type { Wrong } from './sheet.js';
 
 /** The part of a step that answers a question. */
 export interface Reason {
@@ -22,3 +23,7 @@ export function reasonsOf(
     return event ? [{ step, said: sentence(event, before, after, header, language) }] : [];
   });
 }
+
+/** The step that decides the first wrong entry of an answer to a part. */
+export const stepAgainst = ({ until }: Question, part: Part, { value, at }: Wrong): number =>
+  part.decidedBy?.(value, at) ?? until;

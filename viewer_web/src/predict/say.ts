@@ -28,6 +28,7 @@ const itself = (value: string): string => value.replace('-', '−');
 const words: Readonly<Record<Of, Say>> = {
   case: (value, language) => texts[language].strip.cases[value as Case],
   polygon: (value) => value,
+  window: itself,
   corner: (value, language) => texts[language].places[value as Corner],
   relation: (value, language) => `${value} ${texts[language].predict.relations[value as Relation]}`,
   yes: (value, language) => texts[language].page[value === 'yes' ? 'yes' : 'no'],
@@ -38,6 +39,7 @@ const words: Readonly<Record<Of, Say>> = {
   vertex: itself,
   point: (value) => value,
   edge: (value, language) => texts[language].predict.edge(value),
+  segment: (value) => value,
   depth: itself,
   column: (value, language) => texts[language].predict.column(value),
   horizon: (value, language) => texts[language].predict.horizons[value as 'upper' | 'lower'],
@@ -67,7 +69,7 @@ export const sayNote = ({ note }: Option, language: Language): string | null =>
   note === undefined ? null : withoutDoubledSigns(note(texts[language]));
 
 /** Whether an option is shown by its note alone. */
-export const isItsNote = (of: Of): boolean => of === 'depth' || of === 'point';
+export const isItsNote = (of: Of): boolean => of === 'depth' || of === 'point' || of === 'window';
 
 /** An option and its note in one line. */
 export function sayNoted(of: Of, option: Option, language: Language): string {
@@ -77,18 +79,25 @@ export function sayNoted(of: Of, option: Option, language: Language): string {
   return isItsNote(of) ? note : `${said}: ${note}`;
 }
 
+/** An entry of an answer to a part, in words. */
+export function sayEntry({ asks, options }: Part, value: string, language: Language): string {
+  if (value === none) return sayNone(asks, language);
+  const [, of] = parts[asks];
+  const option = options.find((each) => each.value === value);
+  return option !== undefined && isItsNote(of)
+    ? sayNoted(of, option, language)
+    : words[of](value, language);
+}
+
 /** The right answer to a part, in words. */
-export function sayRight({ asks, options, right }: Part, language: Language): string {
+export function sayRight(part: Part, language: Language): string {
+  const { asks, right } = part;
   const [form, of] = parts[asks];
-  const say = (value: string): string => {
-    if (value === none) return sayNone(asks, language);
-    // In the options the relation is a sign; in the answer it is a word.
-    if (of === 'relation') return texts[language].predict.relations[value as Relation];
-    const option = options.find((each) => each.value === value);
-    return option !== undefined && isItsNote(of)
-      ? sayNoted(of, option, language)
-      : words[of](value, language);
-  };
+  // In the options the relation is a sign; in the answer it is a word.
+  const say = (value: string): string =>
+    of === 'relation'
+      ? texts[language].predict.relations[value as Relation]
+      : sayEntry(part, value, language);
   if (right.length === 0) return texts[language].predict.empty;
   return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');
 }

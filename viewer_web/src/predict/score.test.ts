@@ -6,6 +6,7 @@ import type { Answer } from './grade.js';
 import type { Kind } from './question.js';
 import { runOf, scoreOf } from './score.js';
 import type { Answered } from './score.js';
+import { emptySheet } from './sheet.js';
 
 async function answered(
   name: string,
@@ -21,6 +22,7 @@ async function answered(
     question,
     given,
     right: grade(question, given ?? []),
+    sheet: emptySheet(question),
     tries,
   };
 }
@@ -39,7 +41,7 @@ describe('a score', () => {
     expect(score).toMatchObject({
       format: 'vidno-score/1',
       name: 'Ada',
-      total: { asked: 3, right: 1, given_up: 1 },
+      total: { asked: 3, right: 1, given_up: 1, points: 4, parts: 7 },
       kinds: {
         window: { asked: 1, right: 1, given_up: 0 },
         corners: { asked: 1, right: 0, given_up: 0 },
@@ -69,6 +71,7 @@ describe('a score', () => {
         given: ['lb'],
         right: ['lb', 'rb', 'rt'],
         is_right: false,
+        hints: 0,
       },
       {
         asks: 'cornerDepths',
@@ -76,6 +79,7 @@ describe('a score', () => {
         given: ['<'],
         right: ['<'],
         is_right: true,
+        hints: 0,
       },
     ]);
     expect(second?.answers[0]).toMatchObject({

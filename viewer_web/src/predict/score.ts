@@ -3,6 +3,8 @@ import type { Header } from '../trace/header.js';
 import type { Trace } from '../replay/trace.js';
 import type { Answer } from './grade.js';
 import type { Asks, Kind, Question } from './question.js';
+import { pointsOf } from './sheet.js';
+import type { Sheet } from './sheet.js';
 
 /** The settings that distinguish a run from others. */
 export interface Run extends Pick<Header, 'method' | 'edition' | 'kernel' | 'detail'> {
@@ -15,6 +17,8 @@ export interface Answered {
   readonly run: Run;
   readonly way: Way;
   readonly question: Question;
+  /** The sheet of the first answer, with the hints taken for it. */
+  readonly sheet: Sheet;
   /** Null if the reader gave up. */
   readonly given: Answer | null;
   readonly right: readonly boolean[];
@@ -32,13 +36,24 @@ interface Count {
   readonly asked: number;
   readonly right: number;
   readonly given_up: number;
+  /** A point for each part that was right at the first answer, less the cost of hints. */
+  readonly points: number;
+  /** The most points possible. */
+  readonly parts: number;
 }
+
+const inHundredths = (points: number): number => Math.round(points * 100) / 100;
+
+const pointsFor = ({ question, right, sheet }: Answered): number =>
+  pointsOf(question, right, sheet);
 
 export function countOf(answers: readonly Answered[]): Count {
   return {
     asked: answers.length,
     right: answers.filter(isRightAtFirst).length,
     given_up: answers.filter(({ given }) => given === null).length,
+    points: inHundredths(answers.reduce((sum, each) => sum + pointsFor(each), 0)),
+    parts: answers.reduce((sum, { question }) => sum + question.parts.length, 0),
   };
 }
 
@@ -56,6 +71,7 @@ interface PartWritten {
   readonly given: readonly string[] | null;
   readonly right: readonly string[];
   readonly is_right: boolean;
+  readonly hints: number;
 }
 
 interface AnswerWritten {
@@ -64,6 +80,7 @@ interface AnswerWritten {
   readonly way: Way;
   readonly right: boolean;
   readonly given_up: boolean;
+  readonly points: number;
   readonly tries: number;
   readonly parts: readonly PartWritten[];
 }
@@ -78,13 +95,14 @@ export interface Score {
 }
 
 function written(answered: Answered): AnswerWritten {
-  const { question, way, given, right, tries } = answered;
+  const { question, way, given, right, tries, sheet } = answered;
   return {
     step: question.step,
     kind: question.kind,
     way,
     right: isRightAtFirst(answered),
     given_up: given === null,
+    points: inHundredths(pointsFor(answered)),
     tries,
     parts: question.parts.map((part, i) => ({
       asks: part.asks,
@@ -92,6 +110,7 @@ function written(answered: Answered): AnswerWritten {
       given: given?.[i] ?? null,
       right: part.right,
       is_right: right[i] === true,
+      hints: sheet[i]?.hints ?? 0,
     })),
   };
 }

@@ -12,6 +12,7 @@ import { octants, ray } from './ask-contained.js';
 import { corners as cornersAsked } from './ask-corners.js';
 import { inside } from './ask-inside.js';
 import { point } from './ask-point.js';
+import { pop } from './ask-pop.js';
 import { relation } from './ask-relation.js';
 import { window } from './ask-window.js';
 import { course, goals } from './course.js';
@@ -76,7 +77,7 @@ defineAlgorithm(methods.filter(hasWindows), {
   entry: ({ event, outcome }, { missed }) =>
     outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,
   abouts,
-  askers: { window, relation, ray, octants, corners: cornersAsked, inside, point, clip },
+  askers: { window, pop, relation, ray, octants, corners: cornersAsked, inside, point, clip },
   facts,
   polygonsAsked,
   counts: {

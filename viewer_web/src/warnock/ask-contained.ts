@@ -1,8 +1,9 @@
 import { polygonThing, windowThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
+import type { Step } from '../predict/ahead.js';
 import { edgeNote, mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import type { Option, Question } from '../predict/question.js';
+import type { Option, Part, Question } from '../predict/question.js';
 import type { Trace } from '../replay/trace.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
@@ -17,7 +18,7 @@ interface Look<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'> {
   readonly asked: Pick<Question<E>, 'step' | 'until' | 'about' | 'because' | 'things'>;
   /** The edges to choose from. */
   readonly options: readonly Option[];
-  readonly edges: readonly Event<E>[];
+  readonly edges: readonly Step<E>[];
   readonly result: Event<R>;
 }
 
@@ -45,13 +46,27 @@ function lookAt<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'>(
       things: [polygonThing(polygon.id), windowThing(window)],
     },
     options: polygon.vertices.map((_, i) => ({ value: String(i), note: edgeNote(polygon, i) })),
-    edges: edges.map(({ event }) => event),
+    edges,
     result: result.event,
   };
 }
 
-const numbersOf = (edges: readonly { readonly edge: number }[]): readonly string[] =>
-  edges.map(({ edge }) => String(edge));
+type Edge = Step<'ray' | 'octants'>;
+
+const numberOf = ({ event }: Edge): string => String(event.edge);
+
+/** The part that asks for some of the edges. */
+const edgesPart = (
+  asks: 'crossed' | 'halved',
+  options: readonly Option[],
+  edges: readonly Edge[],
+  right: readonly Edge[],
+): Part => ({
+  asks,
+  options,
+  right: right.map(numberOf),
+  decidedBy: (value) => edges.find((each) => numberOf(each) === value)?.step,
+});
 
 const where = { isOf: hasThreeLists, from: 'signs', at: ['call'] } as const;
 
@@ -62,12 +77,12 @@ export const ray: Asker<'ray'> = {
     const look = lookAt(trace, step, 'RayCrossings', ['ray', 'crossings']);
     if (look === null) return null;
     const { asked, options, edges, result } = look;
-    const crossed = edges.filter((edge) => edge.counts > 0);
+    const crossed = edges.filter(({ event }) => event.counts > 0);
     return {
       kind: 'ray',
       ...asked,
       parts: [
-        { asks: 'crossed', options, right: numbersOf(crossed) },
+        edgesPart('crossed', options, edges, crossed),
         { asks: 'crossings', options: optionsOf(counts), right: [String(result.count)] },
       ],
     };
@@ -81,12 +96,12 @@ export const octants: Asker<'octants'> = {
     const look = lookAt(trace, step, 'OctantAngles', ['octants', 'angle']);
     if (look === null) return null;
     const { asked, options, edges, result } = look;
-    const halved = edges.filter(({ at }) => at === 'OA4');
+    const halved = edges.filter(({ event }) => event.at === 'OA4');
     return {
       kind: 'octants',
       ...asked,
       parts: [
-        { asks: 'halved', options, right: numbersOf(halved) },
+        edgesPart('halved', options, edges, halved),
         { asks: 'sum', options: optionsOf(sums), right: [String(result.octants)] },
       ],
     };

@@ -29,6 +29,7 @@ export const corners: Asker<'corners'> = {
     const equal = contested.find(({ relation }) => relation === '=');
     const one = equal ?? contested[step % contested.length];
     if (one?.relation == null) return null;
+    const compared = stepsOf(trace, step, nearer.step, 'compare');
     return {
       kind: 'corners',
       step,
@@ -42,6 +43,7 @@ export const corners: Asker<'corners'> = {
             note: ({ numbers: { short } }) => `${short(z)} ? ${short(against)}`,
           })),
           right: nearer.event.corners,
+          decidedBy: (place) => compared.find(({ event }) => event.corner === place)?.step,
         },
         {
           asks: 'cornerDepths',
@@ -50,7 +52,7 @@ export const corners: Asker<'corners'> = {
           given: [{ value: one.place, of: 'corner' }],
         },
       ],
-      because: inOrder(stepsOf(trace, step, nearer.step, 'compare'), [nearer]),
+      because: inOrder(compared, [nearer]),
       things: [polygonThing(depth.polygon), cornerThing(one.place)],
     };
   },

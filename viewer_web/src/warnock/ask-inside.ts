@@ -37,6 +37,7 @@ export const inside: Asker<'inside'> = {
           asks: 'signs',
           options: optionsOf(['+', '0', '-']),
           right: tests.map(({ event }) => signs[event.sign]),
+          decidedBy: (_, at) => tests[at]?.step,
           given: edges.map((edge) => ({
             value: String(edge),
             of: 'edge',

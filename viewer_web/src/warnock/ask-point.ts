@@ -23,6 +23,7 @@ export const point: Asker<'point'> = {
     const winner = nearest.at(-1)?.event;
     if (winner === undefined || options.length < 2 || ids.length > mostOptions) return null;
 
+    const surrounds = stepsOf(trace, step, until, 'surround');
     const covering = depths.map(({ event }) => event.polygon);
     return {
       kind: 'point',
@@ -30,11 +31,16 @@ export const point: Asker<'point'> = {
       until,
       about: { point: color.event.point },
       parts: [
-        { asks: 'covers', options: optionsOf(ids), right: covering },
+        {
+          asks: 'covers',
+          options: optionsOf(ids),
+          right: covering,
+          decidedBy: (id) => surrounds.find(({ event }) => event.polygon === id)?.step,
+        },
         { asks: 'wins', options: optionsOf([...ids, none]), right: [winner.polygon] },
         { asks: 'depth', options, right: [String(winner.z)] },
       ],
-      because: inOrder(stepsOf(trace, step, until, 'surround'), depths, nearest, [color]),
+      because: inOrder(surrounds, depths, nearest, [color]),
       things: window === null ? [] : [windowThing(window)],
     };
   },

@@ -60,6 +60,8 @@ export const window: Asker<'window'> = {
       asks: 'stay',
       options: optionsOf(ids),
       right: ids.filter((id) => !gone.includes(id)),
+      decidedBy: (id) =>
+        discards.find(({ event }) => event.polygon === id)?.step ?? summary.at(-1)?.step,
     };
     return {
       kind: 'window',
@@ -68,7 +70,12 @@ export const window: Asker<'window'> = {
       about: { window: pop.window },
       parts: [
         ...(isCoarse ? [] : [stay]),
-        { asks: 'hides', options: optionsOf([...shown, none]), right: [hiding] },
+        {
+          asks: 'hides',
+          options: optionsOf([...shown, none]),
+          right: [hiding],
+          decidedBy: () => cover[0]?.step,
+        },
         { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
       ],
       because: inOrder(discards, cover, uncovers, summary, [decide]),

@@ -1,7 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
 import { point } from '../language/words.js';
+import { point as dot } from '../picture/mark.js';
 import { inOrder, stepsOf } from '../predict/ahead.js';
-import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { clippingAt } from './pieces.js';
 
@@ -43,7 +43,6 @@ export const walk: Asker<'walk'> = {
     );
     const numberOf = (at: string): string => String(points.indexOf(at) + 1);
     if (way?.every((at) => points.includes(at)) !== true) return null;
-    const numbers = points.map(numberOf);
     return {
       kind: 'walk',
       step,
@@ -52,7 +51,10 @@ export const walk: Asker<'walk'> = {
       parts: [
         {
           asks: 'walked',
-          options: optionsOf(numbers),
+          options: [...places].map(([name, at]) => ({
+            value: numberOf(name),
+            places: [dot('pointed', at)],
+          })),
           right: way.map(numberOf),
           given: [...places].map(([name, at]) => ({
             value: numberOf(name),

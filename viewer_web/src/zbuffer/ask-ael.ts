@@ -31,6 +31,7 @@ export const ael: Asker<'ael'> = {
       asks: 'leave',
       options: active,
       right: dropped.flatMap(({ event }) => event.edges.map(String)),
+      decidedBy: (edge) => dropped.find(({ event }) => event.edges.includes(Number(edge)))?.step,
     };
     return {
       kind: 'ael',
@@ -39,7 +40,12 @@ export const ael: Asker<'ael'> = {
       about: { polygon: polygon.id, row: zbuffer.ael.length === 0 ? null : zbuffer.row },
       parts: [
         ...(active.length === 0 ? [] : [leave]),
-        { asks: 'enter', options: coming, right: added.map(({ event }) => String(event.edge)) },
+        {
+          asks: 'enter',
+          options: coming,
+          right: added.map(({ event }) => String(event.edge)),
+          decidedBy: (edge) => added.find(({ event }) => String(event.edge) === edge)?.step,
+        },
         { asks: 'order', options: [...active, ...coming], right: sort.event.edges.map(String) },
       ],
       because: inOrder(dropped, stepsOf(trace, step, until, 'scanline'), added, [sort]),

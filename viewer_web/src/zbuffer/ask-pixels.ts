@@ -1,4 +1,5 @@
 import { pixelThing } from '../algorithm/pointed.js';
+import { box } from '../picture/mark.js';
 import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { mostOptions, relationOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
@@ -34,9 +35,11 @@ export const pixels: Asker<'pixels'> = {
           asks: 'shown',
           options: asked.map(({ x, z, stored }) => ({
             value: String(x),
+            places: [box('pointed', [x, one.y, 1, 1])],
             note: ({ numbers: { short } }) => `${short(z)} ? ${short(stored)}`,
           })),
           right: asked.filter(({ shown }) => shown).map(({ x }) => String(x)),
+          decidedBy: (column) => asked.find(({ x }) => String(x) === column)?.step,
         },
         {
           asks: 'pixelDepths',

@@ -15,6 +15,7 @@ export const predict: PredictTexts = {
   askAbout: 'Ask about',
   kinds: {
     window: 'the case of a window',
+    pop: 'the next window',
     relation: 'the relation to a window',
     ray: 'crossings of the ray',
     octants: 'the sum of angles',
@@ -37,6 +38,7 @@ export const predict: PredictTexts = {
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
+    pop: ({ divided }) => `The window ${windowText(divided)} was split, and its parts were pushed.`,
     relation: ({ polygon, window }) =>
       `How does ${polygon} lie relative to the window ${windowText(window)}?`,
     ray: ({ polygon, window }) =>
@@ -78,6 +80,7 @@ export const predict: PredictTexts = {
       `Intersection: a segment of curve ${curve} between two columns. Beside each are its height, which grows downward, and the horizons.`,
   },
   asks: {
+    popped: 'Which window is popped next?',
     case: 'Which case is it?',
     stay: 'Which polygons stay in its list?',
     hides: 'Which one hides all others in it?',
@@ -88,6 +91,7 @@ export const predict: PredictTexts = {
     covers: 'Which polygons cover the point?',
     wins: 'Which one is seen?',
     depth: 'By which depth?',
+    cut: 'Which edges cross this side?',
     list: 'Which vertices does the new list have, in order?',
     leave: 'Which edges leave the list?',
     enter: 'Which edges enter it?',
@@ -153,6 +157,18 @@ export const predict: PredictTexts = {
   horizons: { upper: 'the upper one', lower: 'the lower one' },
   between: 'between the columns',
   overColumn: (column) => `over column ${column}`,
+  inPicture: 'You can also choose in the picture.',
+  hintFor: 'Hint',
+  hintCosts: (cost) => `Costs ${cost} of the point for this part`,
+  hinted: {
+    one: (entry) => `Hint: not ${entry}.`,
+    some: (entry) => `Hint: ${entry} was wrong and is corrected.`,
+    row: (entry) => `Hint: right up to ${entry}.`,
+  },
+  hintedNothing: 'Hint: nothing to correct.',
+  firstWrong: (entry) => `First wrong entry: ${entry}.`,
+  tooLong: 'the row is too long',
+  points: (points, most) => `${points} of ${most} points`,
   check: 'Check',
   giveUp: 'Give up',
   again: 'Try again',

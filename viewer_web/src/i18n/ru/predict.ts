@@ -15,6 +15,7 @@ export const predict: PredictTexts = {
   askAbout: 'О чём спрашивать',
   kinds: {
     window: 'случай окна',
+    pop: 'следующее окно',
     relation: 'отношение к окну',
     ray: 'пересечения луча',
     octants: 'сумма углов',
@@ -37,6 +38,7 @@ export const predict: PredictTexts = {
   },
   intro: {
     window: ({ window }) => `Что станет с окном ${windowText(window)}?`,
+    pop: ({ divided }) => `Окно ${windowText(divided)} разбито, его части положены в стек.`,
     relation: ({ polygon, window }) =>
       `Как ${polygon} лежит относительно окна ${windowText(window)}?`,
     ray: ({ polygon, window }) =>
@@ -78,6 +80,7 @@ export const predict: PredictTexts = {
       `Intersection: отрезок кривой ${curve} между двумя столбцами. У каждого — его высота (растёт вниз) и горизонты.`,
   },
   asks: {
+    popped: 'Какое окно будет взято из стека?',
     case: 'Какой это случай?',
     stay: 'Какие многоугольники останутся в его списке?',
     hides: 'Какой из них закрывает в нём остальные?',
@@ -88,6 +91,7 @@ export const predict: PredictTexts = {
     covers: 'Какие многоугольники покрывают точку?',
     wins: 'Какой из них виден?',
     depth: 'По какой глубине?',
+    cut: 'Какие рёбра пересекают эту сторону?',
     list: 'Какие вершины в новом списке, по порядку?',
     leave: 'Какие рёбра выйдут из списка?',
     enter: 'Какие рёбра войдут в него?',
@@ -153,6 +157,18 @@ export const predict: PredictTexts = {
   between: 'между столбцами',
   overColumn: (column) => `над столбцом ${column}`,
   column: (column) => `столбец ${column}`,
+  inPicture: 'Выбирать можно и на рисунке.',
+  hintFor: 'Подсказка',
+  hintCosts: (cost) => `Стоит ${cost} балла за эту часть`,
+  hinted: {
+    one: (entry) => `Подсказка: это не ${entry}.`,
+    some: (entry) => `Подсказка: исправлено — ${entry}.`,
+    row: (entry) => `Подсказка: верно до ${entry}.`,
+  },
+  hintedNothing: 'Подсказка: исправлять нечего.',
+  firstWrong: (entry) => `Первая ошибка: ${entry}.`,
+  tooLong: 'ряд слишком длинный',
+  points: (points, most) => `баллов: ${points} из ${most}`,
   check: 'Проверить',
   giveUp: 'Не знаю',
   again: 'Ещё раз',
