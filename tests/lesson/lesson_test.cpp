@@ -553,7 +553,7 @@ TEST_CASE("The wrong columns that the lesson on the floating horizon counts are 
         REQUIRE_MESSAGE(at != text.npos, text);
         return std::stoi(text.substr(at + before.size()));
     };
-    for (const char* story : {"story.en.md", "story.ru.md"}) {
+    for (const std::string story : {"story.en.md", "story.ru.md"}) {
         CAPTURE(story);
         std::istringstream lines(text_of(folder + story));
         const std::regex row(R"(\| `(printed[^`]*)` \|.*\| (\d+) \| (\d+) \|)");
