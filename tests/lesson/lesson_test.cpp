@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -498,11 +502,86 @@ TEST_CASE("Every step of a run can be pinned") {
         }
     }
 }
-TEST_CASE("The lessons agree with their runs, in both languages") {
+
+namespace {
+
+std::set<std::string> folders_of_the_course() {
     std::set<std::string> folders;
     for (const auto& entry : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
         if (std::filesystem::exists(entry.path() / "lesson.json")) folders.insert(entry.path().string());
     }
     CHECK(folders.size() >= 15);
-    for (const auto& folder : folders) CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
+    return folders;
+}
+
+}  // namespace
+
+TEST_CASE("The lessons agree with their runs, in both languages") {
+    for (const auto& folder : folders_of_the_course()) {
+        CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
+    }
+}
+
+TEST_CASE("The camera of the first lesson puts the corners of its mesh where the lesson computes them") {
+    const std::string folder = VIDNO_ROOT "/lessons/00-world-to-screen/";
+    const Workplace place;
+    const std::string camera = "--eye 0 2 8 --target 0 2 0 --fov 90 --near 2 --far 6 --width 16 --height 16";
+    REQUIRE(program("import " + folder + "ramp.obj " + camera + " -o " + place.file("ramp.json")).status == 0);
+    const json found = json::parse(place.read("ramp.json"))["polygons"];
+    const json computed = json::parse(text_of(folder + "scene.json"))["polygons"];
+    REQUIRE(found.size() == computed.size());
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+        for (const auto& corner : computed[i]["vertices"].get<std::vector<std::array<double, 3>>>()) {
+            CAPTURE(corner[0]);
+            CAPTURE(corner[1]);
+            // tan 45 degrees is rounded, so that a corner on a side of the view volume may be cut in two.
+            const auto vertices = found[i]["vertices"].get<std::vector<std::array<double, 3>>>();
+            CHECK(std::any_of(vertices.begin(), vertices.end(), [&](const auto& vertex) {
+                return std::abs(vertex[0] - corner[0]) < 1e-12 && std::abs(vertex[1] - corner[1]) < 1e-12 &&
+                       std::abs(vertex[2] - corner[2]) < 1e-12;
+            }));
+        }
+    }
+}
+
+TEST_CASE("The wrong columns that the lesson on the floating horizon counts are those that check finds") {
+    const std::string lessons = VIDNO_ROOT "/lessons/", folder = lessons + "15-floating-horizon/";
+    const auto wrong_columns = [](const std::string& scene, const std::string& edition) {
+        const std::string text = program("check " + scene + " --edition " + edition).text;
+        const std::string before = "wrong columns of curves: ";
+        const auto at = text.find(before);
+        REQUIRE_MESSAGE(at != text.npos, text);
+        return std::stoi(text.substr(at + before.size()));
+    };
+    for (const std::string story : {"story.en.md", "story.ru.md"}) {
+        CAPTURE(story);
+        std::istringstream lines(text_of(folder + story));
+        const std::regex row(R"(\| `(printed[^`]*)` \|.*\| (\d+) \| (\d+) \|)");
+        std::smatch cells;
+        int rows = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (!std::regex_match(line, cells, row)) continue;
+            CAPTURE(line);
+            ++rows;
+            CHECK(std::stoi(cells[2]) == wrong_columns(folder + "scene.json", cells[1]));
+            CHECK(std::stoi(cells[3]) == wrong_columns(lessons + "surfaces/waves-and-pit.json", cells[1]));
+        }
+        CHECK_MESSAGE(rows == 8, "six errors alone, two together, all six");
+    }
+}
+
+TEST_CASE("No lesson starts with a run of more than 2,000 steps") {
+    for (const auto& folder : folders_of_the_course()) {
+        Problems problems;
+        const Lesson lesson = read_lesson(folder, problems);
+        const LessonRun& first = lesson.runs.front();
+        std::uint64_t steps = 0;
+        EventLines lines;
+        trace_run(scene_of(lesson, first), first, [&](std::string_view text) {
+            lines.take(text, [&](std::uint64_t step, std::string_view) { steps = step; });
+        });
+        CAPTURE(lesson.id);
+        CHECK(steps > 0);
+        CHECK(steps <= 2000);
+    }
 }

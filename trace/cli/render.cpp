@@ -7,7 +7,9 @@
 #include "figure/weiler_atherton_parts.h"
 #include "output.h"
 #include "picture/image.h"
+#include "refused.h"
 #include "regions/region_output.h"
+#include "regions/scene_lines.h"
 
 namespace vidno::cli {
 
@@ -15,6 +17,7 @@ namespace {
 
 struct RenderOptions : RunOptions {
     std::string output;
+    std::string lines;  // what becomes of hidden lines; empty: the picture has areas
 };
 
 std::string paced_by(Method method) {
@@ -33,16 +36,27 @@ bool is_of_regions(const RenderOptions& options) {
            (name.ends_with(".json") || name.ends_with(".svg") || name.ends_with(".pdf") || name.ends_with(".tex"));
 }
 
-std::string encoded_regions(RunRequest request, const std::string& output) {
+void expect_no_lines(const RenderOptions& options) {
+    if (!options.lines.empty()) throw Refused("--lines: only for --method weiler-atherton, as .svg, .pdf or .tex");
+}
+
+figures::Drawing drawn(const std::vector<ShownRegion>& regions, const RunRequest& request, const std::string& lines) {
+    if (lines.empty()) return figures::drawn_regions(regions, request.scene);
+    const auto hidden = lines == "dashed" ? figures::HiddenLines::dashed : figures::HiddenLines::omitted;
+    return figures::drawn_lines(scene_lines(regions, request.scene), hidden, request.scene);
+}
+
+std::string encoded_regions(RunRequest request, const RenderOptions& options) {
     std::vector<ShownRegion> regions;
     request.regions = &regions;
     run(request);
-    if (output.ends_with(".json")) return regions_json(regions, request);
-    return figures::encoded(figures::drawn_regions(regions, request.scene), {request.scene->name}, output);
+    if (options.output.ends_with(".json")) return regions_json(regions, request);
+    return figures::encoded(drawn(regions, request, options.lines), {request.scene->name}, options.output);
 }
 
 std::string rendered(const RenderOptions& options, const AdmittedScene& given) {
     const bool of_regions = is_of_regions(options);
+    if (!of_regions || options.output.ends_with(".json")) expect_no_lines(options);
     if (!of_regions) encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     const NamedKernel kernel = kernel_of(options);
     const AdmittedScene scene = scene_for(kernel, given, options.scene);
@@ -50,9 +64,11 @@ std::string rendered(const RenderOptions& options, const AdmittedScene& given) {
     RunRequest request = request_of(options, kernel, scene);
     Progress progress(paced_by(request.method));
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    return of_regions ? encoded_regions(request, options.output) : encode_image(run(request), options.output);
+    return of_regions ? encoded_regions(request, options) : encode_image(run(request), options.output);
 }
+
 std::string rendered(const RenderOptions& options, const Surface& surface) {
+    expect_no_lines(options);
     figures::format_of(options.output);  // refuses a wrong name before the work
     FloatingHorizonRequest request = request_of(options, surface);
     Progress progress("curves");
@@ -79,6 +95,11 @@ void add_render(CLI::App& program, int& status) {
                     "The picture, .png or .ppm; for a surface its lines, .svg, .pdf, .png or .tex; for weiler-atherton "
                     "also its regions, .json, .svg, .pdf or .tex; - writes PPM or SVG to standard output")
         ->required();
+    command
+        .add_option("--lines", options->lines,
+                    "Only the outlines: visible lines solid, hidden ones dashed or omitted; for weiler-atherton, as "
+                    ".svg, .pdf or .tex")
+        ->check(CLI::IsMember({"dashed", "omitted"}));
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
     command.callback([options, &status] { status = render(*options); });
 }

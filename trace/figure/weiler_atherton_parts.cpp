@@ -48,6 +48,21 @@ Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scen
     return drawing;
 }
 
+Drawing drawn_lines(const SceneLines& lines, HiddenLines hidden, const Scene& scene) {
+    const Plane plane = plane_without_frame(scene.area);
+    Drawing drawing{plane.shown.width, plane.shown.height};
+    const auto add = [&](const std::vector<LinePiece>& pieces, Stroke stroke) {
+        Path path{{}, false, {}, std::move(stroke)};
+        for (const auto& [from, to] : pieces) {
+            path.lines.push_back({plane.at(from[0], from[1]), plane.at(to[0], to[1])});
+        }
+        drawing.add(std::move(path));
+    };
+    if (hidden == HiddenLines::dashed) add(lines.hidden, {ink, Stroke::hairline, {3, 2}});
+    add(lines.visible, {ink, 0.8});
+    return drawing;
+}
+
 void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     for (const auto& [polygon, region, ground] : moment.state().visible()) {
         to.add(filled(region, polygon_of(moment.scene(), polygon).color, plane, style));

@@ -2,12 +2,17 @@
 #pragma once
 
 #include "parts.h"
+#include "regions/scene_lines.h"
 #include "run/run.h"
 
 namespace vidno::figures {
 
 /// The visible regions alone, as wide as a column of a journal.
 Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scene);
+
+/// The lines of the scene alone: the visible ones solid, the hidden ones dashed or omitted.
+enum class HiddenLines : unsigned char { dashed, omitted };
+Drawing drawn_lines(const SceneLines& lines, HiddenLines hidden, const Scene& scene);
 
 // The layers on the plane of the scene, from bottom to top.
 

@@ -74,7 +74,7 @@ describe('a step', () => {
     await whole(page);
     await goTo(page, 300);
     await page.locator(title).click();
-    const found = await stepOn(page, 'lesson 1');
+    const found = await stepOn(page, 'lesson 0');
     expect((await shown(page)).step).toBe(300 + steps);
     expect(costOf(found)).toBeLessThan(patience);
     expect(faults).toEqual([]);
