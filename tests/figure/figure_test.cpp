@@ -20,6 +20,7 @@
 #include "page/program.h"
 #include "refused.h"
 #include "support/scenes.h"
+#include "support/workplace.h"
 
 namespace vidno::figures {
 
@@ -323,6 +324,64 @@ TEST_CASE("a listing breaks between terms, neither at an operator nor in bracket
     CHECK(pieces("all of it fits", "all of it fits") == Texts{"all of it fits"});
     CHECK(pieces("unbreakable b", "un") == Texts{"unbreakable", "b"});
     CHECK(pieces("", "un") == Texts{""});
+}
+
+TEST_CASE("a film shows each drawing for its share of the time") {
+    Drawing drawing{80, 60};
+    drawing.add(Label{"here", {1, 2}});
+    const std::string film = film_of({drawing, drawing, drawing, drawing}, 2, {"A film"});
+    CHECK(count_of(film, "<g ") == 4);
+    CHECK(count_of(film, "dur=\"2s\"") == 4);  // four steps, two a second
+    CHECK(film.find("values=\"visible;hidden\" keyTimes=\"0;0.250000\"") != film.npos);
+    CHECK(film.find("values=\"hidden;visible;hidden\" keyTimes=\"0;0.250000;0.500000\"") != film.npos);
+    CHECK(film.find("values=\"hidden;visible\" keyTimes=\"0;0.750000\"") != film.npos);
+    CHECK_MESSAGE(count_of(film, "visibility=\"visible\"") == 1, "without animation the last one shows");
+    CHECK(film_of({drawing}, 2, {}).find("<animate") == std::string::npos);
+}
+
+namespace {
+
+/// A program in the workplace that the shell can run.
+std::string script(const Workplace& work, const std::string& name, const std::string& text) {
+    const std::string file = work.write(name, "#!/bin/sh\n" + text);
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("figure --film: SVG alone, GIF and MP4 by the ffmpeg on the path, in one line refused without it") {
+    const Workplace work;
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " VIDNO_ROOT "/lessons/01-four-relations/scene.json -o " + run).status == 0);
+    const std::string film = "figure " + run + " --steps 4..6 --film --width 4cm --dpi 30 -o ";
+    REQUIRE(program(film + work.file("a.svg") + " --rate 1").status == 0);
+    CHECK(count_of(work.read("a.svg"), "<animate ") == 3);
+    CHECK(work.read("a.svg").find("dur=\"3s\"") != std::string::npos);
+
+    // The stand-in says with what it was called, and how many pictures came in.
+    script(work, "bin/ffmpeg", "echo \"$@\"; grep -ac IHDR");
+    const std::string with_it =
+        script(work, "with", "PATH='" + work.file("bin") + "':$PATH exec '" VIDNO_FILE "' \"$@\"\n");
+    REQUIRE(program(film + work.file("a.gif"), with_it).status == 0);
+    CHECK(work.read("a.gif").find("-framerate 2 -i - ") != std::string::npos);
+    CHECK(work.read("a.gif").ends_with("-f gif -\n3\n"));
+    REQUIRE(program(film + work.file("a.mp4"), with_it).status == 0);
+    CHECK(work.read("a.mp4").ends_with("-f mp4 -\n3\n"));
+
+    std::filesystem::create_directory(work.file("empty"));
+    const std::string without_it =
+        script(work, "without", "PATH='" + work.file("empty") + "' exec '" VIDNO_FILE "' \"$@\"\n");
+    for (const auto& [call, reason] :
+         {std::pair(film + work.file("b.gif"), "ffmpeg"),
+          std::pair(film + work.file("b.png"), "a film is .svg, .gif or .mp4"),
+          std::pair("figure " + run + " --film -o " + work.file("b.svg"), "--steps A..B")}) {
+        const auto refused = program(call, without_it);
+        CHECK(refused.status == 2);
+        CHECK_MESSAGE(refused.text.find(reason) != std::string::npos, refused.text);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+    }
+    CHECK_FALSE(work.has("b.gif"));
 }
 
 TEST_CASE("the figures of a course's scene have its name in their language") {
