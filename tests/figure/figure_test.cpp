@@ -4,18 +4,23 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "figure/caption.h"
 #include "figure/notation.h"
 #include "figure/patches.h"
 #include "figure/table.h"
+#include "figure/titles.h"
+#include "figure/wrap.h"
 #include "figure/writers.h"
 #include "output.h"
 #include "page/program.h"
 #include "refused.h"
 #include "support/scenes.h"
+#include "support/workplace.h"
 
 namespace vidno::figures {
 
@@ -207,8 +212,11 @@ TEST_CASE("the list of a window: its polygons, their known relations, and the cu
     events.push_back(event::Nearer{Line::PW6, {0}, {Corner::left_bottom, Corner::right_top}, 2});
     const Drawing list = list_part(after(header, events), {}, 80);
     CHECK(has_text(list, "U = (8, 8) 8 × 8, on the stack: 1"));
-    CHECK(has_text(list, "lb, rt"));
-    CHECK(has_text(list, "lb 0.125, lt −∞, rb −∞, rt 0.125"));
+    CHECK(has_text(list, "upper left, lower right"));
+    CHECK(has_text(list, "upper left 0.125, upper right −∞"));
+    CHECK(has_text(list, "lower left −∞, lower right 0.125"));
+    CHECK(has_text(list_part(after(header, events), {.language = Language::russian}, 80),
+                   "левый верхний, правый нижний"));
     const auto labels = all<Label>(list);
     const auto at = [&](const std::string& text) {
         return std::find_if(labels.begin(), labels.end(), [&](const Label& label) { return label.text == text; })->at;
@@ -269,6 +277,146 @@ TEST_CASE("the listing: the current procedure, and an arrow at its current line"
     CHECK(std::abs(arrow->lines[0][1].y - line->at.y) < line_height / 2);
     CHECK(has_text(listing_part(after(header, a_division()), {.language = Language::russian}, 200),
                    "взять из AW окно U = (Ucx, Ucy, Ux, Uy) и его APL"));
+}
+
+TEST_CASE("corners are named by their places on the screen, where y grows downward") {
+    const auto& words = words_of(Language::english);
+    CHECK(places_of({Corner::left_top}, words) == "lower left");
+    CHECK(places_of({Corner::left_bottom, Corner::right_bottom}, words) == "upper left, upper right");
+    CHECK(places_of({Corner::left_bottom, Corner::left_top, Corner::right_bottom}, words) == "all but lower right");
+    CHECK(places_of({Corner::left_bottom, Corner::left_top, Corner::right_bottom, Corner::right_top}, words) ==
+          "all four");
+    CHECK(places_of({}, words) == "—");
+}
+
+TEST_CASE("a caption says what happens, and else what the line of the listing says") {
+    const TraceHeader header = header_of(near_before_far());
+    CHECK(caption_of(Moment(header), Language::english) == "the run begins");
+    auto events = a_division();
+    events.push_back(event::Box{Line::PW3, {1}, {4., 4., 12., 12.}, true, {}});
+    CHECK(caption_of(after(header, events), Language::english) == "the box of B lies outside the window");
+    CHECK(caption_of(after(header, events), Language::russian) == "габарит B лежит вне окна");
+    events.push_back(event::Call{Line::PW8, Procedure::surround_test});
+    CHECK(caption_of(after(header, events), Language::english) ==
+          "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
+}
+
+TEST_CASE("the letters of a strip's panels") {
+    CHECK(letter_of(0) == "(a)");
+    CHECK(letter_of(25) == "(z)");
+    CHECK(letter_of(26) == "(aa)");
+    CHECK(letter_of(53) == "(bb)");
+}
+
+TEST_CASE("a listing breaks between terms, neither at an operator nor in brackets") {
+    using Texts = std::vector<std::string>;
+    const auto pieces = [](const std::string& text, const std::string& fitting) {
+        const double width = width_of(fitting, text_size);
+        return wrapped(text, text_size, width, width);
+    };
+    // The review's bad breaks: "z[q] / := zᵢ[q]" and "P = / P".
+    CHECK(pieces("k := corners q with zᵢ[q] > z[q]; there z[q] := zᵢ[q]",
+                 "k := corners q with zᵢ[q] > z[q]; there z[q] :=") ==
+          Texts{"k := corners q with zᵢ[q] > z[q];", "there z[q] := zᵢ[q]"});
+    CHECK(pieces("then P = P", "then P =") == Texts{"then", "P = P"});
+    CHECK(pieces("push (Wcx, Wcy, s, s, APL₀) on AW", "(Wcx, Wcy, s, s, APL₀)") ==
+          Texts{"push", "(Wcx, Wcy, s, s, APL₀)", "on AW"});
+    CHECK(pieces("all of it fits", "all of it fits") == Texts{"all of it fits"});
+    CHECK(pieces("unbreakable b", "un") == Texts{"unbreakable", "b"});
+    CHECK(pieces("", "un") == Texts{""});
+}
+
+TEST_CASE("a film shows each drawing for its share of the time") {
+    Drawing drawing{80, 60};
+    drawing.add(Label{"here", {1, 2}});
+    const std::string film = film_of({drawing, drawing, drawing, drawing}, 2, {"A film"});
+    CHECK(count_of(film, "<g ") == 4);
+    CHECK(count_of(film, "dur=\"2s\"") == 4);  // four steps, two a second
+    CHECK(film.find("values=\"visible;hidden\" keyTimes=\"0;0.250000\"") != film.npos);
+    CHECK(film.find("values=\"hidden;visible;hidden\" keyTimes=\"0;0.250000;0.500000\"") != film.npos);
+    CHECK(film.find("values=\"hidden;visible\" keyTimes=\"0;0.750000\"") != film.npos);
+    CHECK_MESSAGE(count_of(film, "visibility=\"visible\"") == 1, "without animation the last one shows");
+    CHECK(film_of({drawing}, 2, {}).find("<animate") == std::string::npos);
+}
+
+namespace {
+
+/// A program in the workplace that the shell can run.
+std::string script(const Workplace& work, const std::string& name, const std::string& text) {
+    const std::string file = work.write(name, "#!/bin/sh\n" + text);
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("figure --film: SVG alone, GIF and MP4 by the ffmpeg on the path, in one line refused without it") {
+    const Workplace work;
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " VIDNO_ROOT "/lessons/01-four-relations/scene.json -o " + run).status == 0);
+    const std::string film = "figure " + run + " --steps 4..6 --film --width 4cm --dpi 30 -o ";
+    REQUIRE(program(film + work.file("a.svg") + " --rate 1").status == 0);
+    CHECK(count_of(work.read("a.svg"), "<animate ") == 3);
+    CHECK(work.read("a.svg").find("dur=\"3s\"") != std::string::npos);
+
+    // The stand-in says with what it was called, and how many pictures came in.
+    script(work, "bin/ffmpeg", "echo \"$@\"; grep -ac IHDR");
+    const std::string with_it =
+        script(work, "with", "PATH='" + work.file("bin") + "':$PATH exec '" VIDNO_FILE "' \"$@\"\n");
+    REQUIRE(program(film + work.file("a.gif"), with_it).status == 0);
+    CHECK(work.read("a.gif").find("-framerate 2 -i - ") != std::string::npos);
+    CHECK(work.read("a.gif").ends_with("-f gif -\n3\n"));
+    REQUIRE(program(film + work.file("a.mp4"), with_it).status == 0);
+    CHECK(work.read("a.mp4").ends_with("-f mp4 -\n3\n"));
+
+    std::filesystem::create_directory(work.file("empty"));
+    const std::string without_it =
+        script(work, "without", "PATH='" + work.file("empty") + "' exec '" VIDNO_FILE "' \"$@\"\n");
+    for (const auto& [call, reason] :
+         {std::pair(film + work.file("b.gif"), "ffmpeg"),
+          std::pair(film + work.file("b.png"), "a film is .svg, .gif or .mp4"),
+          std::pair("figure " + run + " --film -o " + work.file("b.svg"), "--steps A..B")}) {
+        const auto refused = program(call, without_it);
+        CHECK(refused.status == 2);
+        CHECK_MESSAGE(refused.text.find(reason) != std::string::npos, refused.text);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+    }
+    CHECK_FALSE(work.has("b.gif"));
+}
+
+TEST_CASE("the figures of a course's scene have its name in their language") {
+    CHECK(name_in(Language::russian, "Down to the pixel · 07") == "Вплоть до пикселя · 07");
+    CHECK(name_in(Language::english, "Down to the pixel · 07") == "Down to the pixel · 07");
+    CHECK(name_in(Language::russian, "Another scene") == "Another scene");
+    for (const auto& lesson : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
+        if (!lesson.is_directory() || !std::isdigit(static_cast<unsigned char>(lesson.path().filename().string()[0])))
+            continue;
+        for (const auto& file : std::filesystem::directory_iterator(lesson)) {
+            if (file.path().extension() != ".json") continue;
+            const auto read = nlohmann::json::parse(read_file(file.path().string()));
+            if (read.at("format") != "vidno-scene/1") continue;
+            const std::string name = read.at("name");
+            CHECK_MESSAGE(name_in(Language::russian, name) != name, name);
+        }
+    }
+}
+
+TEST_CASE("the marks stay where outlines entered and left the clip polygon, until the next list") {
+    const TraceHeader header = header_of(near_before_far(), Method::weiler_atherton);
+    Moment moment(header);
+    const std::vector<PolygonPart> parts{{{1}, {{{4., 4.}, {12., 4.}, {12., 12.}}}},
+                                         {{0}, {{{0., 0.}, {16., 0.}, {16., 16.}}}}};
+    moment.take(event::PushList{Line::WA3, parts});
+    moment.take(event::PopList{Line::WA4, {1}, 2});
+    moment.take(event::Call{Line::WA5, Procedure::region_clip});
+    moment.take(event::Entering{Line::RC3, {4., 8.}});
+    moment.take(event::Leaving{Line::RC3, {8., 8.}});
+    moment.take(event::Clipped{Line::WA5, {0}, {1}, {}, {}});
+    moment.take(event::Call{Line::WA5, Procedure::region_clip});
+    CHECK(moment.entering() == std::vector<ValuePoint>{{4., 8.}});
+    CHECK(moment.leaving() == std::vector<ValuePoint>{{8., 8.}});
+    CHECK(has_text(list_part(moment, {}, 80), "enters C"));
+    CHECK(has_text(list_part(moment, {.language = Language::russian}, 80), "выход из C"));
 }
 
 TEST_CASE("the listing of the printed text is the printed one") {
@@ -398,8 +546,9 @@ TEST_CASE("a strip has its captions, and each part at one height in all panels")
     }
     REQUIRE(heads.size() == 2);
     CHECK(heads[0].y == heads[1].y);
-    CHECK(has_text(strip, "step 5"));
-    CHECK(has_text(strip, "step 6"));
+    CHECK(has_text(strip, "(a) window (8, 8) 8 × 8 is taken from the stack"));
+    CHECK(has_text(strip, "(b) 8 × 8 pixels are filled"));
+    CHECK(has_text(strip_of_all({.language = Language::russian}), "(a) из стека взято окно (8, 8) 8 × 8"));
 }
 
 TEST_CASE("no line is thinner than 0.25 points") {

@@ -7,6 +7,7 @@
 #include "figure/worksheet_words.h"
 #include "output.h"
 #include "page/program.h"
+#include "refused.h"
 #include "scene/scene_json.h"
 #include "support/scenes.h"
 #include "support/workplace.h"
@@ -51,6 +52,8 @@ std::vector<std::vector<std::string>> lines_with(const Drawing& page, const std:
 }
 
 using Texts = std::vector<std::string>;
+
+bool has_line(const Drawing& page, const std::string& text) { return !lines_with(page, text).empty(); }
 
 Box box_of(const Label& label) {
     const double width = width_of(label.text, label.size, label.bold);
@@ -170,6 +173,67 @@ TEST_CASE("worksheet: several scenes as one PDF, its key beside it, the same byt
     CHECK(output_of({"pdftotext", work.file("key.pdf"), "-"}, "").find("Ответы") != std::string::npos);
 }
 
+TEST_CASE("worksheet: chosen rows alone, with the row before them and their places filled in") {
+    const WorkedRun run(a_slope(), Method::zbuffer);
+    const auto blank = worksheet(run, Language::english, false, ChosenRows{2, 3});
+    // Row 0 is given as a whole; of rows 1 and 2 polygon and row. Row 3 follows, and is not on the sheet.
+    CHECK(lines_with(blank[1], "1/16").front().size() == 13);
+    CHECK(lines_with(blank[1], "1") == std::vector<Texts>{{"A", "1"}});
+    CHECK(lines_with(blank[1], "2") == std::vector<Texts>{{"A", "2"}});
+    CHECK(lines_with(blank[1], "3/16").empty());
+    CHECK(lines_with(worksheet(run, Language::english, true, ChosenRows{2, 3})[1], "5/16").size() == 2);
+    CHECK(lines_with(worksheet(run, Language::english, true, ChosenRows{2, 3})[1], "7/16").empty());
+    CHECK_THROWS_AS(worksheet(run, Language::english, true, ChosenRows{5, 9}), Refused);
+}
+
+TEST_CASE("worksheet: rows chosen by the steps at which they begin") {
+    const WorkedRun run(a_slope(), Method::zbuffer);
+    REQUIRE(run.rows().size() == 4);
+    const std::uint64_t step = run.rows()[1].step;
+    CHECK(run.rows()[0].step < step);
+    const auto by_step = worksheet(run, Language::english, true, ChosenRows{step, step, true});
+    CHECK(lines_with(by_step[1], "3/16") ==
+          lines_with(worksheet(run, Language::english, true, ChosenRows{2, 2})[1], "3/16"));
+    CHECK(lines_with(by_step[1], "5/16").empty());
+}
+
+TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
+    // B lies inside the first window, A surrounds it. Then B's box is outside three quarters, which A surrounds; in the pixel
+    // at the upper left, B is inside again.
+    const WorkedRun run(a_pixel_before_a_wall(), Method::warnock_full);
+    std::vector<std::pair<Case, std::optional<int>>> found;
+    for (const auto& window : run.windows()) found.emplace_back(window.which, window.painted);
+    using Found = std::vector<std::pair<Case, std::optional<int>>>;
+    CHECK(found == Found{{Case::split, std::nullopt},
+                         {Case::surrounded, 0},
+                         {Case::surrounded, 0},
+                         {Case::surrounded, 0},
+                         {Case::pixel, 1}});
+    CHECK(run.windows()[0].entries.at(0).relation == Relation::surrounding);
+    CHECK(run.windows()[0].entries.at(1).relation == Relation::inside);
+    CHECK(run.windows()[1].entries.at(1).relation == Relation::outside);
+    const auto pages = worksheet(run, Language::english, true);
+    CHECK(has_line(pages[0], "Warnock (warnock-full)"));
+    // That A still surrounds is known from the first window.
+    CHECK(lines_with(pages[1], "(1, 1) 1 × 1") ==
+          std::vector<Texts>{{"2", "(1, 1) 1 × 1", "−", "WF9 surrounded", "A"}});
+}
+
+TEST_CASE("worksheet: the lists of Weiler and Atherton's algorithm, by hand") {
+    // B lies inside A's outline and in front. The list B, A: A has a part inside B, which is behind, and one outside. So B is
+    // visible, and A outside B is the next list, visible as well.
+    const WorkedRun run(a_pixel_before_a_wall(), Method::weiler_atherton);
+    const auto pages = worksheet(run, Language::english, true);
+    CHECK(lines_with(pages[1], "C visible") == std::vector<Texts>{{"1", "B", "B, A", "A", "A", "∅", "C visible"},
+                                                                  {"2", "A", "A", "∅", "∅", "∅", "C visible"}});
+}
+
+TEST_CASE("worksheet: a scene of the course has its name in the sheet's language") {
+    const WorkedRun run(read(VIDNO_ROOT "/lessons/01-four-relations/scene.json"), Method::warnock);
+    CHECK(has_line(worksheet(run, Language::russian, false)[0], "Четыре отношения многоугольника к окну"));
+    CHECK(has_line(worksheet(run, Language::english, false)[0], "Four relations of a polygon to a window"));
+}
+
 TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears") {
     const Workplace work;
     test::SceneBuilder eleven({0, 0, 2, 2});
@@ -190,6 +254,9 @@ TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears"
     CHECK(reason(wall + " " + large + to).find("41 pixels a side") != std::string::npos);
     CHECK(reason(wall + " -o " + work.file("a.svg")).find("not .pdf") != std::string::npos);
     CHECK(reason(wall + to + " --key " + work.file("a.pdf")).find("--key") != std::string::npos);
+    CHECK(reason(wall + to + " --rows 9..12").find("rows in all: 5") != std::string::npos);
+    CHECK(reason(wall + to + " --rows 5..2").find("no row lies there") != std::string::npos);
+    CHECK(reason(wall + to + " --rows few").find("not N or A..B") != std::string::npos);
     CHECK(work.files() == 3);
 }
 

@@ -9,6 +9,7 @@
 #include "homework/profile.h"
 #include "output.h"
 #include "refused.h"
+#include "run/run.h"
 #include "scene/scene_json.h"
 #include "stability/shrink.h"
 #include "support/scenes.h"
@@ -114,6 +115,64 @@ TEST_CASE("exercises: as hard as the lesson's scene, no finer numbers, and admit
                 CHECK(exercise->polygons[i].vertices.size() == original->polygons[i].vertices.size());
                 CHECK(most_binary_places(exercise->polygons[i]) <= most_binary_places(original->polygons[i]));
             }
+        }
+    }
+}
+
+namespace {
+
+/// Counts the slopes and depths of an exact run, and keeps those with more than two digits on a side of the line.
+class Digits final : public EventSink {
+public:
+    void hear(const EventView& event) override {
+        event.visit([this](const auto& e) { note(e); });
+    }
+    std::size_t count = 0;
+    std::vector<std::string> long_ones{};
+
+private:
+    void note(const event::Depth& e) { look_at(e.z); }
+    void note(const event::AelAdd& e) {
+        for (const Value& value : {e.z, e.dx, e.dz}) look_at(value);
+    }
+    void note(const event::AelStep& e) { look_at(e.z); }
+    void note(const event::Slope& e) { look_at(e.dz); }
+    void note(const event::Pixel& e) { look_at(e.z); }
+    void note(const auto&) {}
+
+    void look_at(const Value& value) {
+        if (!value.fraction) return;  // minus infinity
+        ++count;
+        const std::string& text = *value.fraction;
+        const auto line = text.find('/');
+        const std::size_t sign = text.starts_with('-') ? 1 : 0;
+        if (line - sign > 2 || text.size() - line - 1 > 2) long_ones.push_back(text);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("exercises: a short number is a fraction with at most two digits on each side of its line") {
+    for (const double number : {0., 0.25, -17. / 22, 99. / 98, 1. / 99, 99., -1. / 3}) CHECK(is_short(number));
+    for (const double number : {1. / 100, 100., 101. / 2, 0.2596, -5. / 128}) CHECK_FALSE(is_short(number));
+}
+
+TEST_CASE("exercises: every slope and depth that is computed is short, although the lesson's are not") {
+    for (const auto& [name, method] : originals) {
+        const std::string file = name;
+        CAPTURE(file);
+        const auto digits_of = [&, by = method](const AdmittedScene& scene) {
+            Digits digits;
+            run({by, exact_kernel(), Edition::corrected, scene, Detail::signs, &digits});
+            return digits;
+        };
+        const AdmittedScene original = read(file);
+        // The pentagon's edge 2 begins on row 12, at a depth of 11/128.
+        CHECK(digits_of(original).long_ones.empty() == (method == Method::warnock));
+        for (const AdmittedScene& exercise : some_exercises(original, method)) {
+            const Digits digits = digits_of(exercise);
+            CHECK(digits.count > 100);
+            CHECK(digits.long_ones == std::vector<std::string>{});
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "figure/worksheet.h"
 
+#include <charconv>
+
 #include "choice/method.h"
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
@@ -7,6 +9,7 @@
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "figure/figure_words.h"
+#include "figure/titles.h"
 #include "figure/writers.h"
 #include "output.h"
 #include "page/page.h"
@@ -19,8 +22,8 @@ namespace {
 struct WorksheetOptions {
     std::vector<std::string> files;  // scenes for sheets, one trace for questions
     std::string language = "en", output;
-    std::optional<std::string> method, key;  // of sheets
-    std::optional<int> count;                // of questions
+    std::optional<std::string> method, key, rows, steps;  // of sheets
+    std::optional<int> count;                             // of questions
 };
 
 void expect_pdf(const std::string& name) {
@@ -30,12 +33,13 @@ void expect_pdf(const std::string& name) {
 /// The scenes in order, each on its own pages.
 class Sheets {
 public:
-    Sheets(bool answered, Language language) : answered_(answered), language_(language) {}
+    Sheets(bool answered, Language language, const std::optional<figures::ChosenRows>& chosen)
+        : answered_(answered), language_(language), chosen_(chosen) {}
 
     void add(const figures::WorkedRun& run) {
-        const figures::About about{run.scene().name, language_};
+        const figures::About about{figures::name_in(language_, run.scene().name), language_};
         if (pages_.empty()) about_ = about;
-        for (const auto& page : figures::worksheet(run, language_, answered_)) {
+        for (const auto& page : figures::worksheet(run, language_, answered_, chosen_)) {
             pages_.push_back(figures::svg_of(page, about));
         }
     }
@@ -44,9 +48,31 @@ public:
 private:
     bool answered_;
     Language language_;
+    std::optional<figures::ChosenRows> chosen_;
     figures::About about_{};
     std::vector<std::string> pages_;
 };
+
+/// `12` is 1 to 12, `5..16` both ends included.
+figures::ChosenRows chosen_from(const std::string& text, bool are_steps) {
+    const std::string option = std::string(are_steps ? "--steps " : "--rows ") + text;
+    figures::ChosenRows chosen{.are_steps = are_steps};
+    const auto read = [&](std::string_view part, std::uint64_t& to) {
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
+        if (error != std::errc() || end != part.data() + part.size()) throw Refused(option + ": not N or A..B");
+    };
+    const auto dots = text.find("..");
+    if (dots != text.npos) read(std::string_view(text).substr(0, dots), chosen.first);
+    read(std::string_view(text).substr(dots == text.npos ? 0 : dots + 2), chosen.last);
+    if (chosen.first > chosen.last || chosen.last == 0) throw Refused(option + ": no row lies there");
+    return chosen;
+}
+
+std::optional<figures::ChosenRows> chosen_rows(const WorksheetOptions& options) {
+    if (options.rows) return chosen_from(*options.rows, false);
+    if (options.steps) return chosen_from(*options.steps, true);
+    return std::nullopt;
+}
 
 /// The questions that the page asks about a trace, as Moodle XML.
 std::string asked_about(const std::string& trace, const WorksheetOptions& options) {
@@ -63,6 +89,7 @@ std::string asked_about(const std::string& trace, const WorksheetOptions& option
 int moodle_questions(const WorksheetOptions& options) {
     if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
     if (options.method || options.key) throw Refused("--method and --key are for sheets, which are .pdf");
+    if (options.rows || options.steps) throw Refused("--rows and --steps are for sheets, which are .pdf");
     const std::string& trace = options.files[0];
     if (!is_trace(trace)) throw Refused(trace + ": not .jsonl or .jsonl.gz");
     TraceReader reader(LineReader(trace), trace);
@@ -80,11 +107,13 @@ int worksheet(const WorksheetOptions& options) {
     if (options.count) throw Refused("--count: " + options.output + " has sheets, no questions");
     const auto language = Language(place_in(language_codes, options.language));
     const auto method = Method(place_in(method_names, options.method.value_or("warnock")));
-    Sheets blank(false, language), key(true, language);
+    const auto chosen = chosen_rows(options);
+    Sheets blank(false, language, chosen), key(true, language, chosen);
     Progress progress("scenes");
     for (std::size_t i = 0; i < options.files.size(); ++i) {
         const AdmittedScene scene = scene_from(options.files[i]);
         figures::expect_room(scene, options.files[i]);
+        if (const auto refusal = refusal_of(method, *scene)) throw Refused(options.files[i] + ": " + *refusal);
         const figures::WorkedRun run(scene, method);
         blank.add(run);
         if (options.key) key.add(run);
@@ -108,7 +137,12 @@ void add_worksheet(CLI::App& program, int& status) {
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("--method", options->method, "For .pdf: the algorithm to work through [warnock]")
-        ->check(CLI::IsMember(words(course_method_names)));
+        ->check(CLI::IsMember(words(method_names)));
+    auto* rows =
+        command.add_option("--rows", options->rows, "For .pdf: N or A..B, the rows of the table [all that fit]");
+    command
+        .add_option("--steps", options->steps, "For .pdf: A..B, the rows that begin at these steps of the exact run")
+        ->excludes(rows);
     command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
     command.add_option("--count", options->count, "For .xml: how many questions at most, spread over the kinds [20]")
         ->check(CLI::Range(1, 9999));
@@ -119,6 +153,7 @@ void add_worksheet(CLI::App& program, int& status) {
         ->required();
     command.footer(
         "Examples: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf\n"
+        "          vidno worksheet homework/*.json --rows 13..24 -o sheets.pdf   (row 12 is filled in)\n"
         "          vidno worksheet run.jsonl.gz --language ru -o questions.xml   (needs Node)");
     command.callback([options, &status] { status = worksheet(*options); });
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace vidno::figures {
 
@@ -60,6 +61,16 @@ void Drawing::place(const Drawing& part, Point at) {
         std::visit([&](auto& each) { move(each, at); }, thing);
         things.push_back(std::move(thing));
     }
+}
+
+Polyline circle(Point center, double radius) {
+    constexpr int sides = 24;
+    Polyline points;
+    for (int i = 0; i < sides; ++i) {
+        const double turn = 2 * std::numbers::pi * i / sides;
+        points.push_back(center + Point{radius * std::cos(turn), radius * std::sin(turn)});
+    }
+    return points;
 }
 
 std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to) {

@@ -85,6 +85,9 @@ inline Path rectangle(const Box& box, std::optional<Color> fill, std::optional<S
     return {{box.corners()}, true, fill, std::move(stroke)};
 }
 
+/// The corners of a polygon that looks like a circle.
+Polyline circle(Point center, double radius);
+
 /// The parts of a line, or of the outline of a polygon, that lie in a box.
 std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to);
 

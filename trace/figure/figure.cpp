@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "caption.h"
 #include "floating_horizon_parts.h"
 #include "refused.h"
 #include "table.h"
 #include "weiler_atherton_parts.h"
+#include "wrap.h"
 
 namespace vidno::figures {
 
@@ -17,14 +19,11 @@ constexpr double least_plane = 38, least_text = 76;
 
 /// The number of columns of a strip, so that the last row is as full as possible.
 std::size_t columns_for(const Options& options) {
+    if (options.is_film) return 1;
     const double least = options.shows_text() ? least_text : least_plane;
     const auto fitting = std::size_t(std::max(1., std::floor((options.width + gap) / (least + gap))));
     const std::size_t rows = (options.moments + fitting - 1) / fitting;
     return (options.moments + rows - 1) / rows;
-}
-
-std::string caption_of(std::uint64_t step, const Style& style) {
-    return std::string(words_of(style.language).step) + " " + std::to_string(step);
 }
 
 void append(auto& parts, Drawing drawing) {
@@ -80,8 +79,11 @@ Drawing Figure::plane(const FloatingHorizonMoment& moment) const {
     return drawing;
 }
 
-void Figure::add(std::uint64_t step, std::optional<Drawing> plane, std::vector<Drawing> texts) {
-    captions_.push_back(caption_of(step, options_.style));
+void Figure::add(std::string caption, std::optional<Drawing> plane, std::vector<Drawing> texts) {
+    const double width = (options_.shows_plane() ? plane_width_ : panel_width_) / options_.style.letters;
+    if (!options_.is_film) caption = letter_of(captions_.size()) + " " + caption;
+    captions_.push_back(wrapped(caption, text_size, width, width));
+    caption_lines_ = std::max(caption_lines_, captions_.back().size());
     if (plane) append(planes_, std::move(*plane));
     texts_.resize(texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) append(texts_[i], std::move(texts[i]));
@@ -95,7 +97,7 @@ void Figure::add(const Moment& moment, const std::optional<PixelHistory>& histor
     if (options_.shows(Part::list)) texts.push_back(list_part(moment, style, text_width_));
     if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, style, text_width_));
     if (options_.shows(Part::history)) texts.push_back(history->part(style, text_width_));
-    add(moment.state().step(), std::move(drawn_plane), std::move(texts));
+    add(caption_of(moment, options_.style.language), std::move(drawn_plane), std::move(texts));
 }
 
 void Figure::add(const FloatingHorizonMoment& moment) {
@@ -106,7 +108,7 @@ void Figure::add(const FloatingHorizonMoment& moment) {
     if (options_.shows_plane()) drawn_plane = plane(moment);
     std::vector<Drawing> texts;
     if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, options_.style, text_width_));
-    add(moment.state().step(), std::move(drawn_plane), std::move(texts));
+    add(caption_of(moment, options_.style.language), std::move(drawn_plane), std::move(texts));
 }
 
 Drawing Figure::panel(std::size_t moment) const {
@@ -124,9 +126,12 @@ Drawing Figure::panel(std::size_t moment) const {
     }
     drawing.height = std::max(y, text_y);
     if (options_.moments > 1) {
-        drawing.height += line_height;
-        const Point middle{options_.shows_plane() ? plane_width_ / 2 : panel_width_ / 2, drawing.height - 0.8};
-        drawing.add(Label{captions_[moment], middle, text_size, Anchor::middle, false, ink});
+        const double x = (options_.shows_plane() ? plane_width_ : panel_width_) / 2, top = drawing.height;
+        drawing.height += line_height * double(caption_lines_);
+        for (std::size_t i = 0; i < captions_[moment].size(); ++i) {
+            const Point middle{x, top + line_height * double(i + 1) - 0.8};
+            drawing.add(Label{captions_[moment][i], middle, text_size, Anchor::middle, false, ink});
+        }
     }
     return drawing;
 }

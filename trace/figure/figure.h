@@ -19,6 +19,7 @@ struct Options {
     double width = 80;                    // millimetres, of all that stand side by side
     std::optional<double> most_height{};  // of the plane
     std::size_t moments = 1;              // the number that will be added
+    bool is_film = false;                 // the moments are shown one after the other, each in the whole width
 
     bool shows(Part part) const { return std::find(show.begin(), show.end(), part) != show.end(); }
     /// Whether the figure has the plane, and whether it has text.
@@ -54,7 +55,7 @@ private:
     double most_plane_height() const { return options_.most_height.value_or(tallest_plane * plane_width_); }
     Drawing plane(const Moment& moment, const std::optional<PixelHistory>& history) const;
     Drawing plane(const FloatingHorizonMoment& moment) const;
-    void add(std::uint64_t step, std::optional<Drawing> plane, std::vector<Drawing> texts);
+    void add(std::string caption, std::optional<Drawing> plane, std::vector<Drawing> texts);
     Drawing panel(std::size_t moment) const;
 
     Options options_;
@@ -62,7 +63,8 @@ private:
     double panel_width_, plane_width_, text_width_;
     Parts planes_;
     std::vector<Parts> texts_;
-    std::vector<std::string> captions_;
+    std::vector<std::vector<std::string>> captions_;  // in lines
+    std::size_t caption_lines_ = 0;                   // of the longest
 };
 
 }  // namespace vidno::figures

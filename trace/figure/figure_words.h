@@ -9,17 +9,21 @@
 namespace vidno::figures {
 
 struct FigureWords {
-    std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
+    std::string_view step, start, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
-    std::string_view list_in_hand, vertices, behind_all, inside, outside;
+    std::string_view list_in_hand, vertices, behind_all, inside, outside, enters, leaves;
     std::string_view pixel, line, what, answer, painted;
     std::string_view empty, more, earlier, yes, no;
     std::string_view computed, right, wrong;
+    std::array<std::string_view, 4> corners,
+        all_but;  // indexed by Corner: their places on the screen, and all but this one
+    std::string_view all_corners;
 };
 
 inline constexpr InEachLanguage<FigureWords> figure_words{
     {
         .step = "step",
+        .start = "the run begins",
         .stack = "on the stack",
         .active_polygons = "Active polygons (APL)",
         .surrounds = "surrounds",
@@ -33,6 +37,8 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .behind_all = "behind all",
         .inside = "inside",
         .outside = "outside",
+        .enters = "enters C",
+        .leaves = "leaves C",
         .pixel = "Pixel",
         .line = "line",
         .what = "what was found",
@@ -46,9 +52,13 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .computed = "computed",
         .right = "right",
         .wrong = "wrong",
+        .corners = {"upper left", "lower left", "upper right", "lower right"},
+        .all_but = {"all but upper left", "all but lower left", "all but upper right", "all but lower right"},
+        .all_corners = "all four",
     },
     {
         .step = "шаг",
+        .start = "начало прогона",
         .stack = "в стеке",
         .active_polygons = "Активные многоугольники (APL)",
         .surrounds = "охватывает",
@@ -62,6 +72,8 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .behind_all = "сзади всех",
         .inside = "внутри",
         .outside = "снаружи",
+        .enters = "вход в C",
+        .leaves = "выход из C",
         .pixel = "Пиксель",
         .line = "строка",
         .what = "что найдено",
@@ -75,6 +87,10 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .computed = "вычислено",
         .right = "верно",
         .wrong = "неверно",
+        .corners = {"левый верхний", "левый нижний", "правый верхний", "правый нижний"},
+        .all_but = {"все, кроме левого верхнего", "все, кроме левого нижнего", "все, кроме правого верхнего",
+                    "все, кроме правого нижнего"},
+        .all_corners = "все четыре",
     },
 };
 

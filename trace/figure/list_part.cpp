@@ -11,20 +11,14 @@ namespace vidno::figures {
 
 namespace {
 
-std::string places_of(const std::vector<Corner>& corners) {
-    std::string places;
-    for (const Corner corner : corners) {
-        places += (places.empty() ? "" : ", ") + std::string(corner_names[std::size_t(corner)]);
-    }
-    return places.empty() ? "—" : places;
-}
-
-/// z at the corners of the window.
-std::string corner_depths(const std::array<Value, 4>& corners) {
-    constexpr std::size_t four_on_a_line = 6;
+/// z at two corners of the window.
+std::string corner_depths(const std::array<Value, 4>& corners, const FigureWords& words, std::array<Corner, 2> shown) {
+    constexpr std::size_t two_on_a_line = 10;
     std::string text;
-    for (std::size_t i = 0; i < corner_names.size(); ++i) {
-        text += (i == 0 ? "" : ", ") + std::string(corner_names[i]) + " " + readable(corners[i], four_on_a_line);
+    for (const Corner corner : shown) {
+        const auto place = std::size_t(corner);
+        text += (text.empty() ? "" : ", ") + std::string(words.corners[place]) + " " +
+                readable(corners[place], two_on_a_line);
     }
     return text;
 }
@@ -33,7 +27,7 @@ Table active_polygons(const Moment& moment, const Style& style) {
     const auto& words = words_of(style.language);
     const State& state = moment.state();
     Table table{.title = std::string(words.active_polygons),
-                .columns = {{"P", 0.28}, {std::string(words.surrounds), 0.3}, {std::string(words.nearer_at), 0.42}}};
+                .columns = {{"P", 0.2}, {std::string(words.surrounds), 0.22}, {std::string(words.nearer_at), 0.58}}};
     if (!state.current()) {
         table.below.emplace_back(words.empty);
         return table;
@@ -42,7 +36,8 @@ Table active_polygons(const Moment& moment, const Style& style) {
                           std::to_string(state.stack().size()));
     if (state.corners()) {
         table.below.push_back(std::string(words.corner_depths) + ":");
-        table.below.push_back(corner_depths(*state.corners()));
+        table.below.push_back(corner_depths(*state.corners(), words, {Corner::left_bottom, Corner::right_bottom}));
+        table.below.push_back(corner_depths(*state.corners(), words, {Corner::left_top, Corner::right_top}));
     }
     const auto in_hand = polygon_in_hand(moment);
     for (const auto& [polygon, surrounds] : *state.current()->apl) {
@@ -51,7 +46,7 @@ Table active_polygons(const Moment& moment, const Style& style) {
         if (in_hand == polygon.index) table.current = table.rows.size();
         table.rows.push_back({{id, tinted(color, style.greyscale)},
                               {std::string(surrounds ? words.yes : words.no)},
-                              {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second)}});
+                              {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second, words)}});
     }
     return table;
 }
@@ -97,6 +92,19 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
 }
 
 }  // namespace
+
+std::string places_of(const std::vector<Corner>& corners, const FigureWords& words) {
+    const auto has = [&](std::size_t corner) {
+        return std::find(corners.begin(), corners.end(), Corner(corner)) != corners.end();
+    };
+    if (corners.size() == words.corners.size()) return std::string(words.all_corners);
+    std::string places;
+    for (std::size_t i = 0; i < words.corners.size(); ++i) {
+        if (corners.size() == words.corners.size() - 1 && !has(i)) return std::string(words.all_but[i]);
+        if (has(i)) places += (places.empty() ? "" : ", ") + std::string(words.corners[i]);
+    }
+    return places.empty() ? "—" : places;
+}
 
 Drawing list_part(const Moment& moment, const Style& style, double width) {
     const TraceHeader& header = moment.header();

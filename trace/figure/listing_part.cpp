@@ -5,6 +5,7 @@
 #include "listings_text.h"
 #include "parts.h"
 #include "table.h"
+#include "wrap.h"
 
 namespace vidno::figures {
 
@@ -30,23 +31,6 @@ const json& procedure_at(const CallStack::Frame& frame) {
                         : procedure.at("name") == procedure_names[std::size_t(frame.of)];
     });
     return *found;  // a test checks that the listings have every label and name
-}
-
-std::vector<std::string> wrapped(const std::string& text, double width, double first_width) {
-    std::vector<std::string> lines(1);
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = std::min(text.find(' ', from), text.size());
-        const std::string word = text.substr(from, end - from);
-        const double room = lines.size() == 1 ? first_width : width;
-        const std::string longer = lines.back() + (lines.back().empty() ? "" : " ") + word;
-        if (lines.back().empty() || width_of(longer, text_size) <= room) {
-            lines.back() = longer;
-        } else {
-            lines.push_back(word);
-        }
-        from = end + 1;
-    }
-    return lines;
 }
 
 /// Whether the edition has a line as printed.
@@ -75,6 +59,16 @@ std::string text_in(const json& line, Edition edition, Language language) {
 
 }  // namespace
 
+std::string text_of(Line at, Edition edition, Language language) {
+    const std::string_view label = line_names[std::size_t(at)];
+    for (const json& procedure : procedures()) {
+        for (const json& line : procedure.at("lines")) {
+            if (line.at("at") == label) return text_in(line, edition, language);
+        }
+    }
+    return {};  // a test checks that the listings have every label
+}
+
 Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width) {
     constexpr double number_at = 2.6, text_at = 9.4, level = 2.6, hanging = 2.6, base_below = 1.1;
     const json& procedure = procedure_at(frame);
@@ -91,7 +85,7 @@ Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style
     const std::string head = name + "(" + std::string(procedure.at("takes")) + ")";
     constexpr double bold = 1.08;  // wider
     const double room = width / style.letters / bold;
-    const auto heads = wrapped(head, room, room);
+    const auto heads = wrapped(head, text_size, room, room);
     y = line_height * double(heads.size());
     if (!frame.at) drawing.add(rectangle({0, 0, width, y}, band));
     for (std::size_t i = 0; i < heads.size(); ++i) {
@@ -103,7 +97,8 @@ Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style
     for (const json& line : procedure.at("lines")) {
         const std::string text = text_in(line, edition, style.language);
         const double left = text_at + level * int(line.at("indent"));
-        const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);
+        const auto pieces =
+            wrapped(text, text_size, (width - left - hanging) / style.letters, (width - left) / style.letters);
         if (frame.at && line.at("at") == line_names[std::size_t(*frame.at)]) {
             drawing.add(rectangle({0, y + 0.15, width, line_height * double(pieces.size())}, band));
             add_arrow(drawing, 0.4, y + line_height - base_below - 0.1);

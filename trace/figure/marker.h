@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -52,16 +51,11 @@ public:
 
     void point(const Value& x, const Value& y, bool yes) { point(at(x, y), yes, color_); }
     void point(const Point& center, bool yes, const Color& color) {
-        constexpr int sides = 24;
         constexpr double radius = 0.7;
         if (!is_shown(center)) return;
-        Polyline circle;
-        for (int i = 0; i < sides; ++i) {
-            const double turn = 2 * std::numbers::pi * i / sides;
-            circle.push_back(center + Point{radius * std::cos(turn), radius * std::sin(turn)});
-        }
-        to_.add(Path{{circle}, true, paper, Stroke{paper, 1.5}});
-        to_.add(Path{{circle}, true, yes ? color : paper, Stroke{color, 0.75}});
+        const Polyline around = circle(center, radius);
+        to_.add(Path{{around}, true, paper, Stroke{paper, 1.5}});
+        to_.add(Path{{around}, true, yes ? color : paper, Stroke{color, 0.75}});
     }
 
     /// A number near a place, on a blank background.

@@ -134,9 +134,9 @@ private:
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     Marks marks(to, moment, plane, style);
     marks.state();
-    marks.lists();
     draw_containment(to, moment, plane, style);
     if (moment.event()) moment.event()->visit(marks);
+    marks.lists();
 }
 
 }  // namespace vidno::figures

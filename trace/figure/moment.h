@@ -29,7 +29,7 @@ public:
     const std::vector<Window>& visited() const { return visited_; }
     /// For each polygon, by its index in the scene, the corners of the current window where it was nearer than all before it.
     const std::map<int, std::vector<Corner>>& nearer_at() const { return nearer_at_; }
-    /// The points where the polygon that RegionClip examines, or examined last, enters and leaves the other one.
+    /// The points where the polygons of the current list enter and leave its clip polygon, as far as RegionClip has found them.
     const std::vector<ValuePoint>& entering() const { return entering_; }
     const std::vector<ValuePoint>& leaving() const { return leaving_; }
     /// The counts of the edges so far in the current or last containment test: ray crossings, or octants.
@@ -45,8 +45,7 @@ private:
         forget_outline();
     }
     void note(const event::Nearer& e) { nearer_at_[e.polygon.index] = e.corners; }
-    void note(const event::Call& e) {
-        if (e.of != Procedure::region_clip) return;
+    void note(const event::PopList&) {
         entering_.clear();
         leaving_.clear();
     }

@@ -54,6 +54,12 @@ void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style
 /// APL with the known relations of each polygon to the current window, or AEL. Throws Refused if the trace does not contain it.
 Drawing list_part(const Moment& moment, const Style& style, double width);
 
+/// The places of corners on the screen, "—" if there are none.
+std::string places_of(const std::vector<Corner>& corners, const FigureWords& words);
+
+/// A line of the listings as the edition has it.
+std::string text_of(Line at, Edition edition, Language language);
+
 /// The current procedure, with its current line marked.
 Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width);
 Drawing listing_part(const auto& moment, const Style& style, double width) {

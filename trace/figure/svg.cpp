@@ -67,20 +67,46 @@ std::string element(const Label& label) {
     return text + ">" + escaped_for_xml(label.text) + "</text>\n";
 }
 
+std::string opening_of(const Drawing& drawing, const About& about) {
+    const std::string width = decimal(drawing.width);
+    const std::string height = decimal(drawing.height);
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
+           attribute("width", width + "mm") + attribute("height", height + "mm") +
+           attribute("viewBox", "0 0 " + width + " " + height) + attribute("xml:lang", code_of(about.language)) +
+           attribute("font-family", font_family) + attribute("stroke-linejoin", "round") + ">\n<title>" +
+           escaped_for_xml(about.title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+}
+
+std::string elements_of(const Drawing& drawing) {
+    std::string text;
+    for (const auto& thing : drawing.things) {
+        text += std::visit([](const auto& each) { return element(each); }, thing);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string svg_of(const Drawing& drawing, const About& about) {
-    const std::string width = decimal(drawing.width);
-    const std::string height = decimal(drawing.height);
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
-                       attribute("width", width + "mm") + attribute("height", height + "mm") +
-                       attribute("viewBox", "0 0 " + width + " " + height) +
-                       attribute("xml:lang", code_of(about.language)) + attribute("font-family", font_family) +
-                       attribute("stroke-linejoin", "round") + ">\n<title>" + escaped_for_xml(about.title) +
-                       "</title>\n";
-    text += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-    for (const auto& thing : drawing.things) {
-        text += std::visit([](const auto& each) { return element(each); }, thing);
+    return opening_of(drawing, about) + elements_of(drawing) + "</svg>\n";
+}
+
+std::string film_of(const std::vector<Drawing>& frames, double frames_a_second, const About& about) {
+    std::string text = opening_of(frames.front(), about);
+    const auto count = double(frames.size());
+    const std::string duration = decimal(count / frames_a_second) + "s";
+    const auto share = [&](std::size_t frame) { return std::to_string(double(frame) / count); };
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const bool is_last = i + 1 == frames.size();
+        text += "<g" + attribute("visibility", is_last ? "visible" : "hidden") + ">\n";
+        if (frames.size() > 1) {
+            const std::string shown = i == 0 ? "visible" : "hidden;visible";
+            const std::string from = i == 0 ? "0" : "0;" + share(i);
+            text += "<animate attributeName=\"visibility\" calcMode=\"discrete\" repeatCount=\"indefinite\"" +
+                    attribute("dur", duration) + attribute("values", shown + (is_last ? "" : ";hidden")) +
+                    attribute("keyTimes", from + (is_last ? "" : ";" + share(i + 1))) + "/>\n";
+        }
+        text += elements_of(frames[i]) + "</g>\n";
     }
     return text + "</svg>\n";
 }

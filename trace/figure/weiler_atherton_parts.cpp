@@ -23,6 +23,21 @@ std::string names_of(const std::vector<PolygonPart>& parts, const Scene& scene) 
     return names.empty() ? "∅" : names;
 }
 
+/// Says what the points on the plane mean, in a last line.
+void add_points_legend(Drawing& to, const Style& style) {
+    constexpr double side = 1.2, gap = 1.2;
+    const auto& words = words_of(style.language);
+    double x = 0;
+    to.height += line_height;
+    const double base = to.height - 1;
+    for (const auto& [text, fill] : {std::pair(words.enters, ink), std::pair(words.leaves, paper)}) {
+        to.add(Path{{circle({x + side / 2, base - side / 2}, side / 2)}, true, fill, Stroke{ink, 0.75}});
+        x += side + gap;
+        to.add(Label{std::string(text), {x, base}, small_size, Anchor::start, false, ink});
+        x += width_of(text, small_size) * style.letters + 3 * gap;
+    }
+}
+
 }  // namespace
 
 std::vector<Polyline> loops_of(const RegionLoops& region, const Plane& plane) {
@@ -110,7 +125,9 @@ Drawing region_list(const Moment& moment, const Style& style, double width) {
     table.below = {std::string(words.inside) + ": " + names_of(in_hand->inside, moment.scene()),
                    std::string(words.outside) + ": " + names_of(in_hand->outside, moment.scene()), stack};
     shorten(table, words);
-    return drawn(table, width, style.letters);
+    Drawing drawing = drawn(table, width, style.letters);
+    if (!moment.entering().empty()) add_points_legend(drawing, style);
+    return drawing;
 }
 
 }  // namespace vidno::figures

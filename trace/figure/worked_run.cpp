@@ -26,6 +26,8 @@ std::optional<int> WorkedRun::shown(int x, int y) const {
 
 void WorkedRun::hear(const event::Pop& e) {
     windows_.push_back({e.window});
+    windows_.back().step = end_.state().step();
+    if (is_family(header_.method)) return;  // its entries are the relations
     for (const auto& [polygon, surrounds] : *end_.state().current()->apl) entry(polygon).surrounds = surrounds;
 }
 
@@ -39,6 +41,29 @@ void WorkedRun::hear(const event::ShownLine& e) {
     const auto& caller = end_.state().calls().end()[-2];
     const bool is_level = caller.at == Line::Z9;
     rows_.push_back({*end_.state().polygon(), e.row, is_level ? std::vector<State::AelEntry>{} : end_.state().ael()});
+    rows_.back().step = end_.state().step();
+}
+
+void WorkedRun::hear(const event::Box& e) {
+    // The simplest member of the family has no relations but the boxes.
+    if (header_.method != Method::warnock_simplest) return;
+    entry(e.polygon).relation = e.outside ? Relation::outside : Relation::intersecting;
+}
+
+void WorkedRun::hear(const event::PopList&) {
+    auto& list = lists_.emplace_back();
+    list.step = end_.state().step();
+    for (const auto& piece : end_.state().list_in_hand()->pieces) list.polygons.push_back(piece.polygon.index);
+}
+
+void WorkedRun::hear(const event::Clipped& e) {
+    if (e.at != Line::WA5) return;
+    if (!e.inside.empty()) lists_.back().inside.push_back(e.polygon.index);
+    if (!e.outside.empty()) lists_.back().outside.push_back(e.polygon.index);
+}
+
+void WorkedRun::hear(const event::NearerOnes& e) {
+    for (const auto& polygon : e.polygons) lists_.back().nearer.push_back(polygon.index);
 }
 
 void WorkedRun::hear(const event::Columns& e) {

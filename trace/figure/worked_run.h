@@ -10,9 +10,10 @@ namespace vidno::figures {
 
 /// The entry of a polygon in a window's list.
 struct WorkedEntry {
-    bool leaves = false;     // PW3
-    bool surrounds = false;  // S_i, once the window is done
-    int k = 0;               // PW6
+    bool leaves = false;                 // PW3
+    bool surrounds = false;              // S_i, once the window is done
+    int k = 0;                           // PW6
+    std::optional<Relation> relation{};  // to the window, in Warnock's family
     bool operator==(const WorkedEntry&) const = default;
 };
 
@@ -22,6 +23,7 @@ struct WorkedWindow {
     Line line{};                           // W7 to W10, W13
     Case which{};
     std::optional<int> painted{};  // the polygon that shows in it; none: background, or a split
+    std::uint64_t step = 0;        // at which it was taken from AW
 };
 
 /// The span of a polygon that is shown on a row: between two edges of the AEL, or a level edge, which is in no list.
@@ -29,6 +31,15 @@ struct WorkedRow {
     int polygon, row;
     std::vector<State::AelEntry> edges{};
     int first = 0, end = 0;  // the pixels; none if there are no centres between
+    std::uint64_t step = 0;
+};
+
+/// A list of Weiler and Atherton's algorithm: the polygons of its parts.
+struct WorkedList {
+    std::vector<int> polygons{};  // the clip polygon first
+    std::vector<int> inside{}, outside{}, nearer{};
+    bool visible = false;    // the clip polygon is; else the list is examined again
+    std::uint64_t step = 0;  // at which it was taken from the stack
 };
 
 class WorkedRun {
@@ -43,6 +54,7 @@ public:
     const std::map<int, std::array<Value, 4>>& planes() const { return planes_; }
     const std::vector<WorkedWindow>& windows() const { return windows_; }  // in the order in which they leave AW
     const std::vector<WorkedRow>& rows() const { return rows_; }
+    const std::vector<WorkedList>& lists() const { return lists_; }  // in the order in which they leave the stack
     /// The polygon that the Z-buffer shows at a pixel.
     std::optional<int> shown(int x, int y) const;
     const Moment& start() const { return start_; }
@@ -61,6 +73,15 @@ private:
     void hear(const event::ShownLine& e);
     void hear(const event::Columns& e);
     void hear(const event::Span& e);
+    void hear(const event::Box& e);
+    void hear(const event::RelationFound& e) { entry(e.polygon).relation = e.relation; }
+    void hear(const event::Hiding& e) {
+        if (e.polygon) covering_ = e.polygon->index;
+    }
+    void hear(const event::PopList& e);
+    void hear(const event::Clipped& e);
+    void hear(const event::NearerOnes& e);
+    void hear(const event::Show&) { lists_.back().visible = true; }
     void hear(const auto&) {}
 
     WorkedEntry& entry(PolygonPlace polygon) { return windows_.back().entries[polygon.index]; }
@@ -71,6 +92,7 @@ private:
     std::vector<WorkedWindow> windows_;
     int covering_ = 0;
     std::vector<WorkedRow> rows_;
+    std::vector<WorkedList> lists_;
     std::map<std::pair<int, int>, int> shown_;
 };
 

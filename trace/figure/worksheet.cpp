@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "choice/algorithm.h"
 #include "choice/method.h"
 #include "form.h"
 #include "notation.h"
@@ -9,6 +10,8 @@
 #include "refused.h"
 #include "stability/shrink.h"
 #include "table.h"
+#include "titles.h"
+#include "weiler_atherton_parts.h"
 #include "worksheet_words.h"
 
 namespace vidno::figures {
@@ -29,26 +32,37 @@ constexpr double room_for_depth = 8;  // millimetres a pixel
 /// The pages so far, and how much of the last one is filled.
 class Worksheet {
 public:
-    Worksheet(const WorkedRun& run, Language language, bool answered)
-        : run_(run), style_{language}, words_(worksheet_words_of(language)), answered_(answered) {}
+    Worksheet(const WorkedRun& run, Language language, bool answered, const std::optional<ChosenRows>& chosen)
+        : run_(run), style_{language}, words_(worksheet_words_of(language)), answered_(answered), chosen_(chosen) {}
 
     std::vector<Drawing> pages() && {
         add_page();
         add_scene();
         add_page();
-        if (run_.header().method == Method::warnock) {
-            add_quadtree();
-            add_windows();
-        } else {
-            add_rows();
-            add_page();
-            add_raster();
+        switch (algorithm_of(run_.header().method)) {
+            case Algorithm::warnock:
+                add_quadtree();
+                add_windows();
+                break;
+            case Algorithm::z_buffer:
+                add_rows();
+                add_page();
+                add_raster();
+                break;
+            case Algorithm::weiler_atherton:
+                add_regions();
+                add_lists();
+                break;
         }
         return std::move(pages_);
     }
 
 private:
     using Row = std::vector<Form::Cell>;
+    struct StepRow {
+        std::uint64_t step;
+        Row row;
+    };
 
     Drawing& page() { return pages_.back(); }
     const Scene& scene() const { return run_.scene(); }
@@ -65,9 +79,10 @@ private:
         pages_.push_back({page_width, page_height});
         const double right = page_width - margin;
         double y = margin;
-        const std::string method(choice_of(run_.header().method).title.in(style_.language));
+        const std::string method = title_of(run_.header().method, style_.language);
         const double room = text_width - width_of(method, text_size) - part_gap;
-        put(fitted(scene().name, room, title_size, true), {margin, y}, title_size, Anchor::start, true);
+        put(fitted(name_in(style_.language, scene().name), room, title_size, true), {margin, y}, title_size,
+            Anchor::start, true);
         put(method, {right, y}, text_size, Anchor::end);
         y += 2;
         rule(margin, right, y, 0.75);
@@ -174,16 +189,21 @@ private:
         for (const auto& polygon : scene().polygons) columns.push_back({polygon.id, share});
         columns.push_back({std::string(words_.decision), decision});
         columns.push_back({std::string(words_.painted), painted});
-        std::vector<Row> rows;
-        for (const auto& each : run_.windows()) rows.push_back(row_of(each));
-        add_rows(words_.windows, columns, std::move(rows), {words_.legend, words_.decisions}, true);
+        std::vector<StepRow> rows;
+        for (const auto& each : run_.windows()) rows.push_back({each.step, row_of(each)});
+        const bool family = is_family(run_.header().method);
+        add_rows(words_.windows, columns, std::move(rows),
+                 {family ? words_.family_legend : words_.legend, family ? words_.family_decisions : words_.decisions},
+                 {.are_numbered = true, .places = 1});
     }
 
     Row row_of(const WorkedWindow& window) const {
+        const bool has_relations = is_family(run_.header().method);
         Row row{{readable(window.window)}};
         for (int i = 0; i < int(scene().polygons.size()); ++i) {
             const auto entry = window.entries.find(i);
-            row.push_back({entry == window.entries.end() ? "" : text_of(entry->second)});
+            const bool is_known = entry != window.entries.end() && (!has_relations || entry->second.relation);
+            row.push_back({is_known ? text_of(entry->second) : ""});
         }
         const auto& label = line_names[std::size_t(window.line)];
         row.push_back({std::string(label) + " " + std::string(words_.cases[std::size_t(window.which)])});
@@ -193,8 +213,49 @@ private:
     }
 
     static std::string text_of(const WorkedEntry& entry) {
+        static constexpr std::array<std::string_view, relation_names.size()> signs{"−", "I", "+", "S"};
+        if (entry.relation) return std::string(signs[std::size_t(*entry.relation)]);
         if (entry.leaves) return "−";
         return (entry.surrounds ? "S " : "+ ") + std::to_string(entry.k);
+    }
+
+    // --------------------------------------------------------------------------------- Weiler-Atherton
+
+    void add_regions() {
+        constexpr double width = 118;
+        add_heading(words_.regions, margin);
+        y_ += heading_height;
+        const Plane plane = plane_in(scene().area, width, width);
+        Drawing drawing{width, height_of(plane)};
+        if (answered_) draw_visible(drawing, run_.end(), plane, style_);
+        draw_scene(drawing, plane);
+        draw_names(drawing, scene(), plane, style_);
+        page().place(drawing, {margin + (text_width - width) / 2, y_});
+        y_ += drawing.height;
+    }
+
+    void add_lists() {
+        const std::vector<Form::Column> columns{{std::string(words_.number), 0.06},  {std::string(words_.clip), 0.08},
+                                                {std::string(words_.list), 0.2},     {std::string(words_.inside), 0.18},
+                                                {std::string(words_.outside), 0.18}, {std::string(words_.nearer), 0.16},
+                                                {std::string(words_.result), 0.14}};
+        std::vector<StepRow> rows;
+        for (const auto& each : run_.lists()) rows.push_back({each.step, row_of(each)});
+        add_rows(words_.lists, columns, std::move(rows), {words_.lists_legend}, {.are_numbered = true, .places = 2});
+    }
+
+    Row row_of(const WorkedList& list) const {
+        const auto names = [&](const std::vector<int>& polygons) {
+            std::string text;
+            for (const int polygon : polygons) text += (text.empty() ? "" : ", ") + name_of(polygon);
+            return text.empty() ? "∅" : text;
+        };
+        return {{name_of(list.polygons.front())},
+                {names(list.polygons)},
+                {names(list.inside)},
+                {names(list.outside)},
+                {names(list.nearer)},
+                {std::string(list.visible ? words_.visible : words_.again)}};
     }
 
     // --------------------------------------------------------------------------------- Z-buffer
@@ -207,9 +268,9 @@ private:
             }
         }
         columns.push_back({std::string(words_.pixels), 0.062});
-        std::vector<Row> rows;
-        for (const auto& each : run_.rows()) rows.push_back(row_of(each));
-        add_rows(words_.edges, columns, std::move(rows), {words_.edges_legend}, false);
+        std::vector<StepRow> rows;
+        for (const auto& each : run_.rows()) rows.push_back({each.step, row_of(each)});
+        add_rows(words_.edges, columns, std::move(rows), {words_.edges_legend}, {.are_numbered = false, .places = 2});
     }
 
     Row row_of(const WorkedRow& shown) const {
@@ -280,19 +341,49 @@ private:
 
     // --------------------------------------------------------------------------------- long tables
 
-    /// Adds rows to the end of the page, whether they have answers or not, so that their number gives no hint.
-    void add_rows(std::string_view title, const std::vector<Form::Column>& columns, std::vector<Row> answers,
-                  const std::vector<std::string_view>& legend, bool are_numbered) {
-        std::size_t done = 0;
-        for (std::size_t pages = 0; pages < most_pages_of_rows && (pages == 0 || done < answers.size()); ++pages) {
+    struct Numbering {
+        bool are_numbered;
+        std::size_t places;  // how many of the first columns say where a row is
+    };
+
+    /// The rows that are answered, as a range of places in all of them.
+    std::pair<std::size_t, std::size_t> chosen_in(const std::vector<StepRow>& rows) const {
+        if (!chosen_) return {0, rows.size()};
+        const auto is_chosen = [&](std::size_t place) {
+            const std::uint64_t number = chosen_->are_steps ? rows[place].step : place + 1;
+            return chosen_->first <= number && number <= chosen_->last;
+        };
+        std::size_t first = 0;
+        while (first < rows.size() && !is_chosen(first)) ++first;
+        std::size_t end = first;
+        while (end < rows.size() && is_chosen(end)) ++end;
+        if (first == end)
+            throw Refused("--" + std::string(chosen_->are_steps ? "steps" : "rows") + ": " + scene().name +
+                          " has no such row; rows in all: " + std::to_string(rows.size()));
+        return {first, end};
+    }
+
+    /// Adds rows to the end of the page, whether they have answers or not, so that their number gives no hint, unless rows are chosen.
+    void add_rows(std::string_view title, const std::vector<Form::Column>& columns, std::vector<StepRow> answers,
+                  const std::vector<std::string_view>& legend, const Numbering& numbering) {
+        const auto [first, end] = chosen_in(answers);
+        if (first > 0) {
+            for (auto& cell : answers[first - 1].row) cell.is_given = true;
+            for (std::size_t i = first; i < end; ++i) {
+                for (std::size_t place = 0; place < numbering.places; ++place) answers[i].row[place].is_given = true;
+            }
+        }
+        std::size_t done = first > 0 ? first - 1 : 0;
+        for (std::size_t pages = 0; pages == 0 || (done < end && (chosen_ || pages < most_pages_of_rows)); ++pages) {
             if (pages > 0) add_page();
             add_heading(title, margin);
             y_ += heading_height;
             Form form{columns, {}};
             const double room = text_bottom - y_ - Form::heading_height - double(legend.size() + 1) * line_height;
-            for (auto left = std::size_t(room / form.row_height); left > 0; --left, ++done) {
-                Row row = done < answers.size() ? std::move(answers[done]) : Row(columns.size() - are_numbered);
-                if (are_numbered) row.insert(row.begin(), {std::to_string(done + 1), true});
+            for (auto left = std::size_t(room / form.row_height); left > 0 && (!chosen_ || done < end);
+                 --left, ++done) {
+                Row row = done < end ? std::move(answers[done].row) : Row(columns.size() - numbering.are_numbered);
+                if (numbering.are_numbered) row.insert(row.begin(), {std::to_string(done + 1), true});
                 form.rows.push_back(std::move(row));
             }
             page().place(drawn(form, text_width, answered_), {margin, y_});
@@ -306,6 +397,7 @@ private:
     Style style_;
     const WorksheetWords& words_;
     bool answered_;
+    std::optional<ChosenRows> chosen_;
     std::vector<Drawing> pages_;
     double y_ = 0;
 };
@@ -324,8 +416,9 @@ void expect_room(const Scene& scene, const std::string& file) {
     expect(std::size_t(std::max(scene.area.width, scene.area.height)), longest_side, "pixels a side");
 }
 
-std::vector<Drawing> worksheet(const WorkedRun& run, Language language, bool answered) {
-    return Worksheet(run, language, answered).pages();
+std::vector<Drawing> worksheet(const WorkedRun& run, Language language, bool answered,
+                               const std::optional<ChosenRows>& chosen) {
+    return Worksheet(run, language, answered, chosen).pages();
 }
 
 }  // namespace vidno::figures

@@ -14,7 +14,9 @@ struct WorksheetWords {
     std::string_view scene, vertices, planes, depth_rule, factor;
     std::string_view quadtree;
     std::string_view windows, number, window, decision, painted, legend, decisions, background;
+    std::string_view family_legend, family_decisions;
     std::string_view edges, row, pixels, edges_legend;
+    std::string_view regions, lists, clip, list, inside, outside, nearer, result, visible, again, lists_legend;
     std::string_view raster, raster_of_names;
     std::string_view rows_here;  // stands before a number
     std::array<std::string_view, case_names.size()> cases;
@@ -42,10 +44,25 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
             "is background.",
         .decisions = "Decisions: W7 empty, W8 surrounded, W9 pixel, W10 single, W13 split.",
         .background = "0",
+        .family_legend = "For each polygon examined in the window: − outside, I inside, + intersecting, S surrounding. "
+                         "Painted: which "
+                         "polygon; 0 is background.",
+        .family_decisions = "Decisions: empty, surrounded, pixel, single, split, each with its line.",
         .edges = "Rows and their AEL",
         .row = "row",
         .pixels = "pixels",
         .edges_legend = "An entry: x, z, last row y, Δx, Δz. Pixels: first to last. A level edge is in no AEL (Z9).",
+        .regions = "Visible regions: draw them, each with its polygon",
+        .lists = "Lists, in the order in which they are taken from the stack",
+        .clip = "C",
+        .list = "list L",
+        .inside = "inside C",
+        .outside = "outside C",
+        .nearer = "not behind C",
+        .result = "result",
+        .visible = "C visible",
+        .again = "again",
+        .lists_legend = "Polygons by their names. Again: the parts not behind C, and C as the last, are the next list.",
         .raster = "Polygon and depth of each pixel at the end",
         .raster_of_names = "Polygon of each pixel at the end",
         .rows_here = "The run goes on; rows in the table:",
@@ -72,11 +89,25 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
             "0 — фон.",
         .decisions = "Решения: W7 пустое, W8 охвачено, W9 пиксель, W10 один, W13 делится.",
         .background = "0",
+        .family_legend =
+            "Для многоугольника, проверенного в окне: − вне, I внутри, + пересекает, S охватывает. Цвет: чей; 0 — фон.",
+        .family_decisions = "Решения: пустое, охвачено, пиксель, один, делится; у каждого его строка.",
         .edges = "Строки и их AEL",
         .row = "строка",
         .pixels = "пиксели",
         .edges_legend =
             "Элемент: x, z, последняя строка y, Δx, Δz. Пиксели: от и до. Горизонтальное ребро в AEL не входит (Z9).",
+        .regions = "Видимые области: начертите их и подпишите",
+        .lists = "Списки в том порядке, в котором они берутся из стека",
+        .clip = "C",
+        .list = "список L",
+        .inside = "внутри C",
+        .outside = "вне C",
+        .nearer = "не позади C",
+        .result = "итог",
+        .visible = "C виден",
+        .again = "ещё раз",
+        .lists_legend = "Многоугольники по именам. Ещё раз: следующий список — части не позади C, последним сам C.",
         .raster = "Многоугольник и глубина каждого пикселя в конце",
         .raster_of_names = "Многоугольник каждого пикселя в конце",
         .rows_here = "Прогон продолжается; строк в таблице:",

@@ -18,6 +18,9 @@ struct About {
 /// An SVG document of lines, areas and live text, in millimetres.
 std::string svg_of(const Drawing& drawing, const About& about);
 
+/// An animated SVG document that shows drawings of one size one after the other, again and again. Without animation it shows the last.
+std::string film_of(const std::vector<Drawing>& frames, double frames_a_second, const About& about);
+
 /// How much wider than Helvetica the letters of TeX's usual fonts may be; wider text is compressed.
 inline constexpr double letters_of_tex = 1.16;
 

@@ -157,11 +157,10 @@ struct Reach {
 class Walk {
 public:
     Walk(const AdmittedScene& original, Method method, std::uint64_t seed)
-        : scene_(original),
-          method_(method),
-          reach_(original),
-          profile_(profiled_run(original, method).profile),
-          random_(generator(seed)) {
+        : scene_(original), method_(method), reach_(original), random_(generator(seed)) {
+        const ProfiledRun run = profiled_run(original, method);
+        profile_ = run.profile;
+        long_numbers_ = run.long_numbers;
         for (const auto& polygon : original->polygons) {
             lattices_.push_back(lattice_of(polygon));
             turns_.push_back(turns_of(polygon.vertices));
@@ -170,11 +169,11 @@ public:
 
     const AdmittedScene& scene() const { return scene_; }
 
-    /// Runs the scene. Returns its picture if the run is as hard as that of the original, otherwise nothing.
-    std::optional<Picture> picture_if_as_hard(const AdmittedScene& scene) const {
-        auto [profile, picture] = profiled_run(scene, method_);
-        if (!is_as_hard(profile, profile_)) return std::nullopt;
-        return std::move(picture);
+    /// Runs the scene. Returns the run if it is as hard as that of the original, otherwise nothing.
+    std::optional<ProfiledRun> run_if_as_hard(const AdmittedScene& scene) const {
+        ProfiledRun run = profiled_run(scene, method_);
+        if (!is_as_hard(run.profile, profile_)) return std::nullopt;
+        return run;
     }
 
     /// Tries a step. Returns whether it was taken.
@@ -185,7 +184,9 @@ public:
         change(polygon.vertices, lattices_[place]);
         if (!may_be(polygon, place)) return false;
         AdmittedScene next = admit(std::move(changed));
-        if (!picture_if_as_hard(next)) return false;
+        const auto run = run_if_as_hard(next);
+        if (!run || run->long_numbers > long_numbers_) return false;
+        long_numbers_ = run->long_numbers;
         scene_ = std::move(next);
         return true;
     }
@@ -213,7 +214,7 @@ private:
 
     void change(Vertices& vertices, const Resolution& lattice) {
         constexpr int depth_range = 2;
-        switch (random_.whole(0, 8)) {
+        switch (random_.whole(0, 9)) {
             case 0:
             case 1: return shift(vertices, glm::dvec3(way(lattice), 0));
             case 2:
@@ -221,7 +222,8 @@ private:
             case 4:
             case 5: return move_some(vertices, 2, way(lattice));
             case 6: return shift(vertices, {0, 0, steps(lattice.z, depth_range)});
-            case 7: return mirror(vertices);
+            case 7: return tilt(vertices);
+            case 8: return mirror(vertices);
             default: return turn(vertices);
         }
     }
@@ -234,6 +236,21 @@ private:
         const double up = vertices.size() == 3 ? 0 : rise(vertices, by);
         const auto first = std::size_t(random_.whole(0, int(vertices.size()) - 1));
         for (std::size_t i = 0; i < count; ++i) vertices[(first + i) % vertices.size()] += glm::dvec3(by, up);
+    }
+    /// Gives a sloping polygon another plane, of a depth in sixteenths at its first vertex. A slope of 0 remains one.
+    void tilt(Vertices& vertices) {
+        constexpr int steepest = 4;
+        constexpr double coarse = 16;
+        const auto slope = [&](glm::dvec2 along) {
+            if (rise(vertices, along) == 0) return 0.;
+            return std::ldexp(random_.whole(1, steepest) * (2 * random_.whole(0, 1) - 1), -random_.whole(3, 6));
+        };
+        const glm::dvec3 first = vertices.front();
+        const double x_slope = slope({1, 0}), y_slope = slope({0, 1});
+        const double depth = std::round(first.z * coarse) / coarse;
+        for (auto& vertex : vertices) {
+            vertex.z = depth + x_slope * (vertex.x - first.x) + y_slope * (vertex.y - first.y);
+        }
     }
     static void mirror(Vertices& vertices) {
         const auto [left, right] = std::minmax_element(vertices.begin(), vertices.end(),
@@ -262,6 +279,7 @@ private:
     Method method_;
     Reach reach_;
     Profile profile_;
+    std::uint64_t long_numbers_ = 0;  // of the scene
     RandomPolygons random_;
     std::vector<Resolution> lattices_;
     std::vector<std::ptrdiff_t> turns_;
@@ -289,10 +307,11 @@ std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method metho
     std::vector<AdmittedScene> exercises;
     std::vector<Picture> pictures{profiled_run(scene, method).picture};
     const auto take_if_new = [&](AdmittedScene candidate) {
-        auto picture = walk.picture_if_as_hard(candidate);
-        const auto is_alike = [&](const Picture& other) { return are_alike(*picture, other); };
-        if (!picture || std::any_of(pictures.begin(), pictures.end(), is_alike)) return false;
-        pictures.push_back(std::move(*picture));
+        auto run = walk.run_if_as_hard(candidate);
+        if (!run || run->long_numbers > 0) return false;
+        const auto is_alike = [&](const Picture& other) { return are_alike(run->picture, other); };
+        if (std::any_of(pictures.begin(), pictures.end(), is_alike)) return false;
+        pictures.push_back(std::move(run->picture));
         exercises.push_back(std::move(candidate));
         return true;
     };

@@ -20,6 +20,8 @@ public:
         });
     }
 
+    std::uint64_t long_numbers() const { return long_numbers_; }
+
     Profile profile(const Picture& picture) const {
         Profile profile{{}, counts_};
         for (const Line line : lines_) profile.met.insert("line " + std::string(line_names[std::size_t(line)]));
@@ -43,19 +45,30 @@ private:
     void note(const event::Count&) { ++counts_["entries of APLs"]; }
     void note(const event::Orient& e) { on_a_line_ = on_a_line_ || e.sign == Sign::zero; }
     void note(const event::Compare& e) { note_tie(e.z, e.against); }
+    void note(const event::Depth& e) { note_written(e.z); }
 
     void note(const event::Polygon& e) { polygon_ = scene_.polygons[std::size_t(e.polygon.index)].id; }
     void note(const event::Scanline&) { ++counts_["rows of " + polygon_]; }
-    void note(const event::AelAdd&) { note_change(); }
-    void note(const event::AelStep&) { note_change(); }
+    void note(const event::AelAdd& e) {
+        note_change();
+        for (const Value& value : {e.z, e.dx, e.dz}) note_written(value);
+    }
+    void note(const event::AelStep& e) {
+        note_change();
+        note_written(e.z);
+    }
+    void note(const event::Slope& e) { note_written(e.dz); }
     void note(const event::AelDrop& e) {
         for (std::size_t i = 0; i < e.edges.size(); ++i) note_change();
     }
     void note(const event::Pixel& e) {
         ++counts_[(e.shown ? "pixels written of " : "pixels rejected of ") + polygon_];
         note_tie(e.z, e.stored);
+        note_written(e.z);
     }
     void note(const auto&) {}
+
+    void note_written(const Value& value) { long_numbers_ += is_short(value.number) ? 0 : 1; }
 
     void note_change() { ++counts_["changes of the AEL of " + polygon_]; }
 
@@ -69,6 +82,7 @@ private:
     std::set<Line> lines_;
     std::map<std::string, std::uint64_t> counts_;
     bool on_a_line_ = false, ties_ = false;
+    std::uint64_t long_numbers_ = 0;
     double root_side_ = 0;
     int level_ = 0;
     std::string polygon_;
@@ -91,7 +105,17 @@ bool is_about(std::uint64_t count, std::uint64_t other, std::uint64_t part) {
 ProfiledRun profiled_run(const AdmittedScene& scene, Method method) {
     Profiler profiler(scene);
     Picture picture = run({method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &profiler});
-    return {profiler.profile(picture), std::move(picture)};
+    return {profiler.profile(picture), std::move(picture), profiler.long_numbers()};
+}
+
+bool is_short(double number) {
+    constexpr int greatest = 99;
+    constexpr double rounding = 0x1p-30;  // fractions on the lattices of exercises are farther from the short ones
+    for (int denominator = 1; denominator <= greatest; ++denominator) {
+        const double numerator = number * denominator;
+        if (std::abs(numerator) < greatest + 0.5 && std::abs(numerator - std::round(numerator)) < rounding) return true;
+    }
+    return false;
 }
 
 bool is_as_hard(const Profile& profile, const Profile& as) {

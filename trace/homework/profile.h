@@ -6,6 +6,8 @@
 /// Counts  Warnock: the windows of each case and level, and the entries of their APLs. Z-buffer, for each polygon: rows,
 ///         changes of the AEL, pixels written and pixels rejected.
 ///
+/// Long    how many of the slopes and depths that are written down are long (is_short).
+///
 /// Two runs are equally hard if they meet the same cases, each count differs by at most a tenth, and the sum of all counts by at most a
 /// twentieth, both rounded up.
 #pragma once
@@ -31,7 +33,11 @@ struct Profile {
 struct ProfiledRun {
     Profile profile;
     Picture picture;
+    std::uint64_t long_numbers;
 };
+
+/// Whether a number of a run is a fraction of two whole numbers with at most two digits each. Takes its approximation in `double`.
+bool is_short(double number);
 
 /// Runs the corrected edition; every decision is right.
 ProfiledRun profiled_run(const AdmittedScene& scene, Method method);

@@ -13,6 +13,7 @@
 #include "figure/figure.h"
 #include "figure/figure_words.h"
 #include "figure/map_figure.h"
+#include "figure/titles.h"
 #include "format/trace_reader.h"
 #include "json/document_format.h"
 #include "lesson/event_lines.h"
@@ -173,16 +174,15 @@ figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std:
 }
 
 std::string method_in(const TraceHeader& header, Language language) {
-    if (!is_family(header.method)) return std::string(choice_of(header.method).title.in(language));
-    return std::string(choice_of(Method::warnock).title.in(language)) + " (" +
-           std::string(method_names[std::size_t(header.method)]) + ")";
+    return figures::title_of(header.method, language);
 }
 std::string method_in(const FloatingHorizonHeader&, Language language) {
     return std::string(floating_horizon_choice.title.in(language));
 }
 
 std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, Language language) {
-    std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
+    const std::string& name = header.scene.name;
+    std::string title = name.empty() ? "" : figures::name_in(language, name) + " · ";
     title += method_in(header, language);
     if (!steps.empty()) {
         title += " · " + std::string(figures::words_of(language).step) + " " + std::to_string(steps.front());
@@ -243,13 +243,47 @@ ToldSteps told_steps(const FigureOptions& options) {
     return {std::move(lines), {}};
 }
 
+/// For a film, the ways to encode it: SVG for "-".
+bool is_svg(const std::string& output) { return output == "-" || output.ends_with(".svg"); }
+
+void expect_film(const FigureOptions& options) {
+    const std::string& output = options.output;
+    if (!is_svg(output) && !output.ends_with(".gif") && !output.ends_with(".mp4")) {
+        refuse(output, "a film is .svg, .gif or .mp4");
+    }
+    if (options.steps.empty()) refuse("--film", "of which steps? --steps A..B");
+    if (options.beamer) refuse("--film", "not together with --beamer");
+}
+
+/// The frames as a film: SVG by this program, GIF and MP4 by ffmpeg from PNGs.
+std::string film(const std::vector<figures::Drawing>& frames, const About& about, const FigureOptions& options) {
+    if (is_svg(options.output)) return film_of(frames, options.rate, about);
+    std::string pictures;
+    for (const auto& frame : frames) pictures += figures::png_of(svg_of(frame, about), options.dots_an_inch);
+    std::vector<std::string> command{
+        "ffmpeg", "-v", "error", "-f", "image2pipe", "-c:v", "png", "-framerate", figures::decimal(options.rate),
+        "-i",     "-"};
+    const auto add = [&](std::initializer_list<const char*> words) {
+        command.insert(command.end(), words.begin(), words.end());
+    };
+    if (options.output.ends_with(".gif")) {
+        add({"-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f", "gif", "-"});
+    } else {  // an even size, and no seeking in the output, which is a pipe
+        add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "frag_keyframe+empty_moov",
+             "-f", "mp4", "-"});
+    }
+    return output_of(command, pictures);
+}
+
 std::string drawn_trace(const FigureOptions& options) {
+    if (options.film) expect_film(options);
     if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "it makes a .tex file");
     auto [lines, steps] = told_steps(options);
 
     figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
-    if (format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
-    drawing.width = steps.size() > 1 ? page_width : column_width;
+    if (!options.film && format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
+    drawing.is_film = options.film;
+    drawing.width = steps.size() > 1 && !options.film ? page_width : column_width;
     if (options.beamer) {
         drawing.width = slide_width;
         drawing.most_height = slide_height;
@@ -261,6 +295,7 @@ std::string drawn_trace(const FigureOptions& options) {
     const auto draw = [&, &steps = steps](auto& reader) {
         const About about{title_of(reader.header(), steps, drawing.style.language), drawing.style.language};
         const figures::Figure figure = drawn(reader, steps, drawing, options);
+        if (options.film) return film(figure.panels(), about, options);
         if (options.beamer) return beamer_of(figure.panels(), about);
         return encoded(figure.strip(), about, options.output, options.dots_an_inch);
     };
@@ -271,6 +306,7 @@ std::string drawn_trace(const FigureOptions& options) {
 void expect_no_steps(const FigureOptions& options) {
     if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
     if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
+    if (options.film) refuse(options.input, "--film is for traces");
     if (format_of(options.output) == Format::tikz) refuse(options.output, "maps and charts are .svg, .pdf or .png");
 }
 
@@ -346,6 +382,10 @@ void add_figure_options(CLI::App& command, FigureOptions& options) {
     command.add_option("--dpi", options.dots_an_inch, "For .png")->check(CLI::Range(30, 2400))->capture_default_str();
     command.add_flag("--greyscale", options.greyscale, "No colours, and darker textures");
     command.add_flag("--beamer", options.beamer, "A slide with one overlay per step, .tex");
+    command.add_flag("--film", options.film, "A film of --steps A..B, .svg; .gif and .mp4 need ffmpeg");
+    command.add_option("--rate", options.rate, "For a film: steps per second")
+        ->check(CLI::Range(0.1, 25.))
+        ->capture_default_str();
     command.add_option("-o", options.output, "The figure, .svg, .pdf, .png or .tex; - writes SVG to standard output")
         ->required();
 }
@@ -364,7 +404,7 @@ FigureOptions figure_options(const std::string& command) {
 }
 
 std::string drawn_figure(const FigureOptions& options) {
-    format_of(options.output);
+    if (!options.film) format_of(options.output);
     if (!options.input.ends_with(".json")) return drawn_trace(options);
     const std::string text = read_file(options.input);
     if (is_failure(text)) return drawn_trace(options);

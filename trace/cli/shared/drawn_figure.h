@@ -19,7 +19,8 @@ struct FigureOptions {
     std::string kernel = "double";  // of a map
     AxisOptions axes;               // of a chart
     int dots_an_inch = 300;
-    bool greyscale = false, beamer = false;
+    bool greyscale = false, beamer = false, film = false;
+    double rate = 2;  // of a film
 };
 
 void add_figure_options(CLI::App& command, FigureOptions& options);
