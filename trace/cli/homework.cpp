@@ -1,5 +1,6 @@
 #include "homework/exercises.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -8,6 +9,7 @@
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
+#include "homework/profile.h"
 #include "output.h"
 #include "scene/scene_json.h"
 
@@ -35,9 +37,16 @@ int homework(const HomeworkOptions& options) {
     const AdmittedScene scene = scene_from(options.scene);
     expect_by_hand(scene, options.scene);
     Progress progress("exercises");
-    auto found = exercises_of(scene, Method(place_in(method_names, options.method)), options.count, options.seed,
+    const auto method = Method(place_in(method_names, options.method));
+    auto found = exercises_of(scene, method, options.count, options.seed,
                               [&](std::size_t so_far) { progress.show(so_far, options.count); });
     progress.clear();
+    const auto has_long_numbers = [&](const AdmittedScene& exercise) {
+        return profiled_run(exercise, method).long_numbers > 0;
+    };
+    if (std::any_of(found.begin(), found.end(), has_long_numbers)) {
+        std::cerr << options.scene << ": no scene with short slopes and depths alone was found; some are longer\n";
+    }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Refused(options.output + ": cannot be made: " + error.message());
@@ -72,8 +81,9 @@ void add_homework(CLI::App& program, int& status) {
     command.footer(
         "Equally hard: a run reaches the same lines of the listing and the same cases; each count differs by at most a "
         "tenth.\n"
-        "All slopes and depths of the run are short: fractions of whole numbers of at most two digits, such as "
-        "-17/22.\n"
+        "All slopes and depths of the run are short, if such scenes are found: fractions of whole numbers of at most "
+        "two "
+        "digits, such as -17/22.\n"
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
         "Exit status 1: fewer were found than requested.");
     command.callback([options, &status] { status = homework(*options); });

@@ -113,6 +113,12 @@ bool is_planar_exactly(const Vertices& vertices) {
     });
 }
 
+bool are_in_one_plane(const Vertices& vertices, const Vertices& others) {
+    Vertices all = vertices;
+    all.insert(all.end(), others.begin(), others.end());
+    return is_planar_exactly(all);
+}
+
 /// The increase of z in the polygon's plane along a vector in x and y.
 double rise(const Vertices& vertices, glm::dvec2 way) {
     const auto corner = corner_of(vertices);
@@ -160,7 +166,7 @@ public:
         : scene_(original), method_(method), reach_(original), random_(generator(seed)) {
         const ProfiledRun run = profiled_run(original, method);
         profile_ = run.profile;
-        long_numbers_ = run.long_numbers;
+        original_long_ = most_long_ = run.long_numbers;
         for (const auto& polygon : original->polygons) {
             lattices_.push_back(lattice_of(polygon));
             turns_.push_back(turns_of(polygon.vertices));
@@ -168,6 +174,14 @@ public:
     }
 
     const AdmittedScene& scene() const { return scene_; }
+    /// The run of no later scene has more long numbers than this.
+    std::uint64_t most_long() const { return most_long_; }
+
+    /// From now on a scene may have as many long numbers as the original.
+    void stop_shortening() {
+        shortens_ = false;
+        most_long_ = original_long_;
+    }
 
     /// Runs the scene. Returns the run if it is as hard as that of the original, otherwise nothing.
     std::optional<ProfiledRun> run_if_as_hard(const AdmittedScene& scene) const {
@@ -180,13 +194,16 @@ public:
     bool step() {
         const auto place = std::size_t(random_.whole(0, int(scene_->polygons.size()) - 1));
         Scene changed = scene_;
-        auto& polygon = changed.polygons[place];
-        change(polygon.vertices, lattices_[place]);
-        if (!may_be(polygon, place)) return false;
+        if (random_.whole(0, 9) == 0) {
+            tilt(changed.polygons, place);
+        } else {
+            change(changed.polygons[place].vertices, lattices_[place]);
+        }
+        if (!may_be(changed.polygons)) return false;
         AdmittedScene next = admit(std::move(changed));
         const auto run = run_if_as_hard(next);
-        if (!run || run->long_numbers > long_numbers_) return false;
-        long_numbers_ = run->long_numbers;
+        if (!run || run->long_numbers > most_long_) return false;
+        if (shortens_) most_long_ = run->long_numbers;
         scene_ = std::move(next);
         return true;
     }
@@ -214,7 +231,7 @@ private:
 
     void change(Vertices& vertices, const Resolution& lattice) {
         constexpr int depth_range = 2;
-        switch (random_.whole(0, 9)) {
+        switch (random_.whole(0, 8)) {
             case 0:
             case 1: return shift(vertices, glm::dvec3(way(lattice), 0));
             case 2:
@@ -222,8 +239,7 @@ private:
             case 4:
             case 5: return move_some(vertices, 2, way(lattice));
             case 6: return shift(vertices, {0, 0, steps(lattice.z, depth_range)});
-            case 7: return tilt(vertices);
-            case 8: return mirror(vertices);
+            case 7: return mirror(vertices);
             default: return turn(vertices);
         }
     }
@@ -237,8 +253,10 @@ private:
         const auto first = std::size_t(random_.whole(0, int(vertices.size()) - 1));
         for (std::size_t i = 0; i < count; ++i) vertices[(first + i) % vertices.size()] += glm::dvec3(by, up);
     }
-    /// Gives a sloping polygon another plane, of a depth in sixteenths at its first vertex. A slope of 0 remains one.
-    void tilt(Vertices& vertices) {
+    /// Gives a polygon another plane, of a depth in sixteenths at its first vertex, and with it all polygons in its plane. A slope of 0
+    /// remains one.
+    void tilt(std::vector<ScenePolygon>& polygons, std::size_t place) {
+        const Vertices vertices = polygons[place].vertices;
         constexpr int steepest = 4;
         constexpr double coarse = 16;
         const auto slope = [&](glm::dvec2 along) {
@@ -248,8 +266,11 @@ private:
         const glm::dvec3 first = vertices.front();
         const double x_slope = slope({1, 0}), y_slope = slope({0, 1});
         const double depth = std::round(first.z * coarse) / coarse;
-        for (auto& vertex : vertices) {
-            vertex.z = depth + x_slope * (vertex.x - first.x) + y_slope * (vertex.y - first.y);
+        for (auto& polygon : polygons) {
+            if (!are_in_one_plane(vertices, polygon.vertices)) continue;
+            for (auto& vertex : polygon.vertices) {
+                vertex.z = depth + x_slope * (vertex.x - first.x) + y_slope * (vertex.y - first.y);
+            }
         }
     }
     static void mirror(Vertices& vertices) {
@@ -266,20 +287,30 @@ private:
         }
     }
 
+    /// Whether anything has changed, and all that has is still like the original.
+    bool may_be(std::vector<ScenePolygon>& polygons) const {
+        bool is_other = false;
+        for (std::size_t place = 0; place < polygons.size(); ++place) {
+            if (polygons[place].vertices == scene_->polygons[place].vertices) continue;
+            if (!may_be(polygons[place], place)) return false;
+            is_other = true;
+        }
+        return is_other;
+    }
     bool may_be(ScenePolygon& polygon, std::size_t place) const {
         const ScenePolygon& before = scene_->polygons[place];
         const auto& vertices = polygon.vertices;
-        return vertices != before.vertices && is_on(lattices_[place], vertices) && reach_.holds(vertices) &&
-               turns_of(vertices) == turns_[place] && is_planar_exactly(vertices) &&
-               admit_polygon(polygon).admission == Admission::admitted && polygon.edge_on == before.edge_on &&
-               vertices.size() == before.vertices.size();
+        return is_on(lattices_[place], vertices) && reach_.holds(vertices) && turns_of(vertices) == turns_[place] &&
+               is_planar_exactly(vertices) && admit_polygon(polygon).admission == Admission::admitted &&
+               polygon.edge_on == before.edge_on && vertices.size() == before.vertices.size();
     }
 
     AdmittedScene scene_;
     Method method_;
     Reach reach_;
     Profile profile_;
-    std::uint64_t long_numbers_ = 0;  // of the scene
+    std::uint64_t original_long_ = 0, most_long_ = 0;
+    bool shortens_ = true;
     RandomPolygons random_;
     std::vector<Resolution> lattices_;
     std::vector<std::ptrdiff_t> turns_;
@@ -306,9 +337,9 @@ std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method metho
     Walk walk(scene, method, seed);
     std::vector<AdmittedScene> exercises;
     std::vector<Picture> pictures{profiled_run(scene, method).picture};
-    const auto take_if_new = [&](AdmittedScene candidate) {
+    const auto take_if_new = [&](AdmittedScene candidate, std::uint64_t most_long) {
         auto run = walk.run_if_as_hard(candidate);
-        if (!run || run->long_numbers > 0) return false;
+        if (!run || run->long_numbers > most_long) return false;
         const auto is_alike = [&](const Picture& other) { return are_alike(run->picture, other); };
         if (std::any_of(pictures.begin(), pictures.end(), is_alike)) return false;
         pictures.push_back(std::move(run->picture));
@@ -316,13 +347,20 @@ std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method metho
         return true;
     };
     const std::size_t steps_apart = 2 * scene->polygons.size();
-    std::size_t taken = 0;
-    for (int tried = 0; exercises.size() < count && tried < most_steps; ++tried) {
-        progress(exercises.size());
-        if (!walk.step() || ++taken < steps_apart) continue;
-        if (!take_if_new(moved(walk.scene(), walk.symmetry()))) continue;
-        taken = 0;
-        tried = 0;
+    const auto search = [&](std::uint64_t most_long) {
+        std::size_t taken = 0;
+        for (int tried = 0; exercises.size() < count && tried < most_steps; ++tried) {
+            progress(exercises.size());
+            if (!walk.step() || ++taken < steps_apart) continue;
+            if (!take_if_new(moved(walk.scene(), walk.symmetry()), most_long)) continue;
+            taken = 0;
+            tried = 0;
+        }
+    };
+    search(0);
+    if (exercises.empty()) {
+        walk.stop_shortening();
+        search(walk.most_long());
     }
     return exercises;
 }

@@ -5,13 +5,12 @@
 /// Gives   scenes with the same area, polygons, ids, colours and numbers of vertices, each polygon on the lattice of
 ///         its own original: no coordinate needs more binary places than its polygon had. They are exactly planar,
 ///         reach no farther than the original, and are equally hard. All slopes and depths that the run computes are short
-///         (is_short). The pictures of any two, the original included,
-///         differ in more than one pixel in 32, however either is mirrored or rotated. There may be fewer than requested
-///         if the search finds no more.
-/// How     a walk from the original, a small change a step: a polygon is shifted, raised, tilted, mirrored or turned in
-///         place, or a vertex or an edge of it is moved; a step that would make the run harder or easier, or would lengthen
-///         its numbers, is not taken. Now and
-///         then the whole scene, mirrored or turned, is an exercise.
+///         (is_short), or, where the search finds no such scene, no more of them are long than in the original. The pictures of any two, the
+///         original included, differ in more than one pixel in 32, however either is mirrored or rotated. There may be fewer
+///         than requested if the search finds no more.
+/// How     a walk from the original, a small change a step: a polygon is shifted, raised, mirrored or turned in place, a vertex
+///         or an edge of it is moved, or it is tilted with all polygons in its plane. A step that would make the run harder or
+///         easier, or add long numbers, is not taken. Now and then the whole scene, mirrored or turned, is an exercise.
 /// The same arguments give the same scenes on every machine.
 #pragma once
 
