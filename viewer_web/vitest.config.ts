@@ -6,6 +6,8 @@ export default defineConfig({
     setupFiles: ['src/testing/algorithms.ts'],
     // The test files in a process share their imported modules.
     isolate: false,
+    // A slow machine, busy with other tests, needs longer than the usual five seconds.
+    testTimeout: 60_000,
   },
   server: { fs: { allow: ['..'] } },
 });

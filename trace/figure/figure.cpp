@@ -13,7 +13,7 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double gap = 4;           // millimetres between panels and parts
+constexpr double panel_gap = 4;     // millimetres between panels and parts
 constexpr double wide_panel = 110;  // a panel has text beside its plane, not below
 constexpr double least_plane = 38, least_text = 76;
 
@@ -21,7 +21,7 @@ constexpr double least_plane = 38, least_text = 76;
 std::size_t columns_for(const Options& options) {
     if (options.is_film) return 1;
     const double least = options.shows_text() ? least_text : least_plane;
-    const auto fitting = std::size_t(std::max(1., std::floor((options.width + gap) / (least + gap))));
+    const auto fitting = std::size_t(std::max(1., std::floor((options.width + panel_gap) / (least + panel_gap))));
     const std::size_t rows = (options.moments + fitting - 1) / fitting;
     return (options.moments + rows - 1) / rows;
 }
@@ -34,9 +34,9 @@ void append(auto& parts, Drawing drawing) {
 }  // namespace
 
 Figure::Figure(const Options& options) : options_(options), columns_(columns_for(options)) {
-    panel_width_ = (options.width - gap * double(columns_ - 1)) / double(columns_);
+    panel_width_ = (options.width - panel_gap * double(columns_ - 1)) / double(columns_);
     plane_width_ = is_beside() ? 0.46 * panel_width_ : panel_width_;
-    text_width_ = is_beside() ? panel_width_ - plane_width_ - gap : panel_width_;
+    text_width_ = is_beside() ? panel_width_ - plane_width_ - panel_gap : panel_width_;
 }
 
 bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide_panel; }
@@ -120,7 +120,7 @@ Drawing Figure::panel(std::size_t moment) const {
     }
     double text_y = is_beside() ? 0 : y;
     for (const auto& [drawings, height] : texts_) {
-        if (text_y > 0) text_y += gap / 2;
+        if (text_y > 0) text_y += panel_gap / 2;
         drawing.place(drawings[moment], {panel_width_ - text_width_, text_y});
         text_y += height;
     }
@@ -146,10 +146,10 @@ Drawing Figure::strip() const {
     const auto all = panels();
     const std::size_t rows = (all.size() + columns_ - 1) / columns_;
     const double height = all.front().height;
-    Drawing strip{options_.width, double(rows) * height + gap / 2 * double(rows - 1)};
+    Drawing strip{options_.width, double(rows) * height + panel_gap / 2 * double(rows - 1)};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t row = i / columns_, column = i % columns_;
-        strip.place(all[i], {double(column) * (panel_width_ + gap), double(row) * (height + gap / 2)});
+        strip.place(all[i], {double(column) * (panel_width_ + panel_gap), double(row) * (height + panel_gap / 2)});
     }
     return strip;
 }

@@ -11,7 +11,10 @@
 namespace vidno::figures {
 
 inline constexpr auto scene_names = std::to_array<Bilingual>({
+    {"A floor and a ramp", "Пол и скат"},
     {"Three quads, each in front of the next", "Три четырёхугольника, каждый перед следующим"},
+    {"Three quads, each in front of the next, on 16 × 16 pixels",
+     "Три четырёхугольника, каждый перед следующим, на 16 × 16 пикселях"},
     {"Four relations of a polygon to a window", "Четыре отношения многоугольника к окну"},
     {"The triangle behind lies flat", "Задний треугольник лежит ровно"},
     {"A quad raised in front of the surrounding one", "Четырёхугольник, приподнятый перед охватывающим"},

@@ -118,9 +118,10 @@ export class Timeline {
     const end = performance.now() + milliseconds;
     // A single leap skips most of the events on the way.
     if (bytes <= far) this.leap(scout, goal);
+    // Each call gets on, even if the machine stood still.
     while (scout.step < goal) {
-      if (performance.now() >= end) return goal - scout.step;
       this.stride(scout, goal);
+      if (performance.now() >= end) return goal - scout.step;
     }
     this.mark = scout.save();
     return 0;
