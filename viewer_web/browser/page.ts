@@ -122,7 +122,7 @@ export async function openLesson(page: Page, trace: string): Promise<void> {
         window.addEventListener('hashchange', resolve, { once: true });
       });
     } while (location.hash !== hash);
-  }, `#trace=${trace}&view=workbench`);
+  }, `#trace=${encodeURIComponent(trace)}&view=workbench`);
   const button = page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`);
   await button.waitFor({ state: 'attached' });
 }
