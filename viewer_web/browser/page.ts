@@ -114,15 +114,18 @@ export function lessonTraces(page: Page): Promise<readonly string[]> {
 
 /** Opens a trace of a lesson by its address, in the workbench, and waits until it is shown. */
 export async function openLesson(page: Page, trace: string): Promise<void> {
-  await page.evaluate(async (hash) => {
-    // The page's own change of the address may replace this one before it is read.
-    do {
-      location.hash = hash;
-      await new Promise((resolve) => {
-        window.addEventListener('hashchange', resolve, { once: true });
-      });
-    } while (location.hash !== hash);
-  }, `#trace=${encodeURIComponent(trace)}&view=workbench`);
+  await page.evaluate(
+    async (hash) => {
+      // The page's own change of the address may replace this one before it is read.
+      do {
+        location.hash = hash;
+        await new Promise((resolve) => {
+          window.addEventListener('hashchange', resolve, { once: true });
+        });
+      } while (location.hash !== hash);
+    },
+    `#trace=${encodeURIComponent(trace)}&view=workbench`,
+  );
   const button = page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`);
   await button.waitFor({ state: 'attached' });
 }
