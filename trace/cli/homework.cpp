@@ -81,9 +81,8 @@ void add_homework(CLI::App& program, int& status) {
     command.footer(
         "Equally hard: a run reaches the same lines of the listing and the same cases; each count differs by at most a "
         "tenth.\n"
-        "All slopes and depths of the run are short, if such scenes are found: fractions of whole numbers of at most "
-        "two "
-        "digits, such as -17/22.\n"
+        "All slopes and depths of the run are short, if such scenes are found: fractions of whole numbers of "
+        "at most two digits, such as -17/22.\n"
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
         "Exit status 1: fewer were found than requested.");
     command.callback([options, &status] { status = homework(*options); });

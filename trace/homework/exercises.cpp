@@ -183,7 +183,7 @@ public:
         most_long_ = original_long_;
     }
 
-    /// Runs the scene. Returns the run if it is as hard as that of the original, otherwise nothing.
+    /// Runs a scene and returns the run if it is as hard as the original's, otherwise nothing.
     std::optional<ProfiledRun> run_if_as_hard(const AdmittedScene& scene) const {
         ProfiledRun run = profiled_run(scene, method_);
         if (!is_as_hard(run.profile, profile_)) return std::nullopt;

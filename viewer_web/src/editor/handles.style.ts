@@ -1,17 +1,7 @@
 import { css } from 'lit';
 
-/** Handles on corners, which take the pointer; the rest of the layer lets it through to the picture. */
+/** Handles on corners, in a layer over the picture. */
 export const handlesStyle = css`
-  :host {
-    position: absolute;
-    inset: 0;
-    pointer-events: none;
-  }
-  svg {
-    width: var(--across, 100%);
-    height: var(--down, 100%);
-    overflow: hidden;
-  }
   svg.drawing {
     cursor: crosshair;
     pointer-events: all;

@@ -163,7 +163,7 @@ export const meeting: Asker<'meeting'> = {
           options: [{ value: 'upper' }, { value: 'lower' }],
           right: [isUpper || isFirstByDefect ? 'upper' : 'lower'],
           given: known.map(({ x, y, upper, lower }) => ({
-            ...columnOption(trace.header.scene.area, x, y, upper, lower),
+            ...columnOption(area, x, y, upper, lower),
             of: 'column',
           })),
         },

@@ -7,6 +7,7 @@ import { texts } from '../i18n/index.js';
 import { led } from '../editor/corner-keys.js';
 import type { Place } from '../editor/corner-keys.js';
 import type { Sketch } from '../run/sketch.js';
+import { overlayStyle } from '../picture/overlay.style.js';
 import type { Frame } from '../picture/frame.js';
 import type { Sample } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
@@ -22,7 +23,7 @@ const reach = 12;
 /** The samples of the current curve over the picture, which can be moved up and down. */
 @customElement('vidno-sample-handles')
 export class SampleHandlesElement extends LitElement {
-  static override styles = [base, handlesStyle];
+  static override styles = [base, overlayStyle, handlesStyle];
 
   @property({ attribute: false }) view!: View;
   /** The position of the plane in the picture. */

@@ -3,6 +3,7 @@ import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import type { Frame } from './frame.js';
+import { overlayStyle } from './overlay.style.js';
 import { pointIn } from './own-size.js';
 import { shapesOf } from './shapes.js';
 import type { Target } from './target.js';
@@ -12,17 +13,8 @@ import type { Target } from './target.js';
 export class TargetsElement extends LitElement {
   static override styles = [
     base,
+    overlayStyle,
     css`
-      :host {
-        position: absolute;
-        inset: 0;
-        pointer-events: none;
-      }
-      svg {
-        width: var(--across, 100%);
-        height: var(--down, 100%);
-        overflow: hidden;
-      }
       path {
         vector-effect: non-scaling-stroke;
         fill: none;

@@ -9,6 +9,7 @@ import type { Act, Editing } from '../editor/editor.js';
 import { refusalOf } from '../run/refusal.js';
 import * as sketch from '../run/sketch.js';
 import type { Spot, Vertex } from '../run/sketch.js';
+import { overlayStyle } from '../picture/overlay.style.js';
 import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
@@ -26,7 +27,7 @@ const reach = 13;
 /** The scene's corners over the picture, which can be dragged, and the outline that is being drawn. */
 @customElement('vidno-handles')
 export class HandlesElement extends LitElement {
-  static override styles = [base, hiddenStyle, handlesStyle];
+  static override styles = [base, hiddenStyle, overlayStyle, handlesStyle];
 
   @property({ attribute: false }) editing!: Editing;
   /** The position of the plane in the picture. */

@@ -43,10 +43,11 @@ export class QuestionElement extends LitElement {
   }
 
   override updated(changed: PropertyValues<this>): void {
-    const before = changed.get('current');
     if (!changed.has('current')) return;
-    const isSame = before?.question === this.current.question;
-    if (isSame && before.verdict === this.current.verdict && !this.returns(before)) return;
+    const before = changed.get('current');
+    const { question, verdict, turn } = this.current;
+    const isSame = before?.question === question && before.verdict === verdict;
+    if (isSame && before.turn === turn) return;
     const goal = this.current.verdict === null ? this.heading : this.result;
     goal?.focus();
   }
@@ -168,11 +169,6 @@ export class QuestionElement extends LitElement {
     return html`<button type="button" @click=${() => this.goTo(step)}>
       <span>${said}</span> <span class="number">${step}</span>
     </button>`;
-  }
-
-  /** Whether the question is asked anew, or returned to. */
-  private returns(before: Current): boolean {
-    return before.turn !== this.current.turn;
   }
 
   private mark(isRight: boolean): TemplateResult {
