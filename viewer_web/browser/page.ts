@@ -1,4 +1,6 @@
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { built, emptyPage } from './browser.js';
@@ -171,10 +173,15 @@ export function states(page: Page, count: number): Promise<readonly string[]> {
   }, count);
 }
 
+/** The folder of the files that the tests of this process open. */
+const files = mkdtempSync(join(tmpdir(), 'vidno-files-'));
+process.on('exit', () => {
+  rmSync(files, { recursive: true });
+});
+
+/** Opens a file from disk. A large file that is sent to the browser as text would take longer than Playwright waits. */
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
-  await page.locator('vidno-file-drop input').setInputFiles({
-    name,
-    mimeType: 'application/octet-stream',
-    buffer: Buffer.from(content),
-  });
+  const path = join(mkdtempSync(join(files, 'file-')), name);
+  writeFileSync(path, content);
+  await page.locator('vidno-file-drop input').setInputFiles(path);
 }
