@@ -173,15 +173,19 @@ export function states(page: Page, count: number): Promise<readonly string[]> {
   }, count);
 }
 
-/** The folder of the files that the tests of this process open. */
-const files = mkdtempSync(join(tmpdir(), 'vidno-files-'));
-process.on('exit', () => {
-  rmSync(files, { recursive: true });
-});
+/** The folders of the files that the current test has opened. */
+const folders: string[] = [];
 
 /** Opens a file from disk. A large file that is sent to the browser as text would take longer than Playwright waits. */
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
-  const path = join(mkdtempSync(join(files, 'file-')), name);
+  const folder = mkdtempSync(join(tmpdir(), 'vidno-file-'));
+  folders.push(folder);
+  const path = join(folder, name);
   writeFileSync(path, content);
   await page.locator('vidno-file-drop input').setInputFiles(path);
+}
+
+/** Removes the files that a test has opened. */
+export function removeFiles(): void {
+  for (const folder of folders.splice(0)) rmSync(folder, { recursive: true });
 }
