@@ -1,12 +1,11 @@
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import type { SceneChart } from '../src/chart/scene-format.js';
 import type { SurfaceChart } from '../src/chart/surface-format.js';
 import { openUrl } from './page.js';
 import type { Opened } from './page.js';
+import { temporaryFile } from './temporary.js';
 
 /** The page as it was built. */
 export const template = readFileSync(
@@ -32,10 +31,7 @@ function filled(page: string, id: string, json: string): string {
   return before + tag + harmless + after.slice(after.indexOf('</script>'));
 }
 
-/**
- * Opens the page from disk, with a chart in it and the address of the page of traces. The file is deleted once the page is
- * open.
- */
+/** Opens the page from disk, with a chart in it and the address of the page of traces. */
 export async function openChart(
   browser: Browser,
   hash: string,
@@ -43,13 +39,11 @@ export async function openChart(
   options: BrowserContextOptions = {},
   replay: string | null = null,
 ): Promise<Opened> {
-  const directory = mkdtempSync(join(tmpdir(), 'vidno-'));
-  const file = join(directory, 'chart.html');
+  const file = temporaryFile('chart.html');
   const page = filled(template, 'vidno-chart', json);
   writeFileSync(file, filled(page, 'vidno-replay', JSON.stringify(replay)));
   const opened = await openUrl(browser, `${pathToFileURL(file).href}#${hash}`, options);
   await opened.page.locator('vidno-chart header').waitFor();
-  rmSync(directory, { recursive: true });
   return opened;
 }
 

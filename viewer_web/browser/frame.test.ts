@@ -1,13 +1,12 @@
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { browser, emptyPage } from './browser.js';
 import { edit, handle, rerun, scene, title } from './live.js';
 import { goTo, open, openFile, shown, whole } from './page.js';
+import { temporaryFile } from './temporary.js';
 import { Meter, median, told } from './timing.js';
 import type { Measured } from './timing.js';
 
@@ -27,17 +26,9 @@ const viewport = { width: 1440, height: 900 };
 /** Milliseconds of processor time for a step or a move. A busy machine needs several times what an idle one needs. */
 const patience = 100;
 
-let directory: string;
-beforeAll(() => {
-  directory = mkdtempSync(join(tmpdir(), 'vidno-'));
-});
-afterAll(() => {
-  rmSync(directory, { recursive: true });
-});
-
 /** The teapot from its mesh, run by Warnock's algorithm: 900 000 events. */
 function teapot(): string {
-  const [file, trace] = [join(directory, 'teapot.json'), join(directory, 'teapot.jsonl')];
+  const [file, trace] = [temporaryFile('teapot.json'), temporaryFile('teapot.jsonl')];
   const mesh = join(root, 'lessons/meshes/teapot.obj');
   const run = (...args: readonly string[]): Buffer =>
     execFileSync(program, args, { stdio: 'pipe' });

@@ -1,21 +1,10 @@
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { open, repeated, sampleTrace, shown, small, whole } from './page.js';
+import { open, openFile, repeated, sampleTrace, shown, small, whole } from './page.js';
 
 const events = 1_000_000;
-
-let directory: string;
-beforeAll(() => {
-  directory = mkdtempSync(join(tmpdir(), 'vidno-'));
-});
-afterAll(() => {
-  rmSync(directory, { recursive: true });
-});
 
 /** Measurements of opening a file: milliseconds, and how often the page reported progress. */
 interface Opening {
@@ -49,9 +38,9 @@ const watchOpening = (page: Page, name: string): Promise<void> =>
     });
   }, name);
 
-async function openingOf(page: Page, file: string, name: string): Promise<Opening> {
+async function openingOf(page: Page, name: string, content: string | Buffer): Promise<Opening> {
   await watchOpening(page, name);
-  await page.locator('vidno-file-drop input').setInputFiles(file);
+  await openFile(page, name, content);
   const found = await page.waitForFunction(() => {
     const { opening } = window as unknown as { opening?: Opening };
     return opening !== undefined && opening.whole > 0 ? opening : null;
@@ -108,10 +97,8 @@ describe('a trace of a million events', () => {
     ['zbuffer.jsonl', zbuffer],
     ['packed.jsonl.gz', (): Buffer => gzipSync(warnock())],
   ])('%s opens quickly, and so does any step of it', async (name, content) => {
-    const file = join(directory, name);
-    writeFileSync(file, content());
     const { page, faults } = await open(browser, '#lang=en');
-    const opening = await openingOf(page, file, name);
+    const opening = await openingOf(page, name, content());
     const { state, shown } = await seeks(page);
     const megabytes = await memory(page);
     console.log(
@@ -132,9 +119,8 @@ describe('a trace of a million events', () => {
 
   it('may be stepped through while it is read, and stays at the current step', async () => {
     const name = 'growing.jsonl';
-    writeFileSync(join(directory, name), warnock());
     const { page } = await open(browser, '#lang=en');
-    await page.locator('vidno-file-drop input').setInputFiles(join(directory, name));
+    await openFile(page, name, warnock());
     await page.locator('.title h2', { hasText: name }).waitFor();
     for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
     expect((await shown(page)).step).toBe(3);

@@ -1,9 +1,8 @@
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { built, emptyPage } from './browser.js';
+import { temporaryFile } from './temporary.js';
 
 /** A trace of the test data, as text. */
 export function sampleTrace(name: string): string {
@@ -173,19 +172,9 @@ export function states(page: Page, count: number): Promise<readonly string[]> {
   }, count);
 }
 
-/** The folders of the files that the current test has opened. */
-const folders: string[] = [];
-
 /** Opens a file from disk. A large file that is sent to the browser as text would take longer than Playwright waits. */
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
-  const folder = mkdtempSync(join(tmpdir(), 'vidno-file-'));
-  folders.push(folder);
-  const path = join(folder, name);
-  writeFileSync(path, content);
-  await page.locator('vidno-file-drop input').setInputFiles(path);
-}
-
-/** Removes the files that a test has opened. */
-export function removeFiles(): void {
-  for (const folder of folders.splice(0)) rmSync(folder, { recursive: true });
+  const file = temporaryFile(name);
+  writeFileSync(file, content);
+  await page.locator('vidno-file-drop input').setInputFiles(file);
 }

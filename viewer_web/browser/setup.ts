@@ -1,8 +1,8 @@
 import { afterEach } from 'vitest';
 import { takeBack } from './browser.js';
-import { removeFiles } from './page.js';
+import { removeTemporaryFiles } from './temporary.js';
 
 afterEach(async ({ task }) => {
   await takeBack(task.result?.state !== 'fail');
-  removeFiles();
+  removeTemporaryFiles();
 });

@@ -1,6 +1,4 @@
-import { mkdtempSync, readFileSync, statSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync, statSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
@@ -8,6 +6,7 @@ import { bookmark, listed } from './bookmarks.js';
 import { browser, built } from './browser.js';
 import { edit, rerun, run, scene, title, triangle } from './live.js';
 import { goTo, open, openFile, openUrl, opened, shown, small, whole } from './page.js';
+import { temporaryFile } from './temporary.js';
 
 /** Saves the page in its current state. */
 async function saved(page: Page): Promise<string> {
@@ -19,7 +18,7 @@ async function saved(page: Page): Promise<string> {
   ]);
   const name = download.suggestedFilename();
   expect(name).toMatch(/step-\d+\.html$/);
-  const file = join(mkdtempSync(join(tmpdir(), 'vidno-')), name);
+  const file = temporaryFile(name);
   await download.saveAs(file);
   return file;
 }
