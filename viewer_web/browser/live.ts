@@ -1,5 +1,5 @@
 import type { Browser, Page } from 'playwright-core';
-import { open, openFile } from './page.js';
+import { open, openFile, showsAnother } from './page.js';
 import type { Shape } from '../src/picture/shapes.js';
 import type { Opened } from './page.js';
 
@@ -35,15 +35,7 @@ export function run(page: Page): Promise<Run> {
 
 /** Does something and waits for the next run. */
 export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Run> {
-  await page.evaluate(() => {
-    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
-    Object.assign(window, { before: player?.trace });
-  });
-  await act();
-  await page.waitForFunction(() => {
-    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
-    return player?.trace && player.trace !== (window as unknown as { before: unknown }).before;
-  });
+  await showsAnother(page, act);
   return run(page);
 }
 

@@ -84,9 +84,22 @@ export function shown(page: Page): Promise<Shown> {
   });
 }
 
+/** Acts, and waits until the player shows another trace than before. */
+export async function showsAnother(page: Page, act: () => Promise<unknown>): Promise<void> {
+  await page.evaluate(() => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    Object.assign(window, { before: player?.trace });
+  });
+  await act();
+  await page.waitForFunction(() => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    return player?.trace && player.trace !== (window as unknown as { before: unknown }).before;
+  });
+}
+
 /** Opens a file that is a trace and waits until the whole of it is shown. */
 export async function opened(page: Page, name: string, content: string | Buffer): Promise<void> {
-  await openFile(page, name, content);
+  await showsAnother(page, () => openFile(page, name, content));
   await page.locator('.title h2', { hasText: name }).waitFor();
   await whole(page);
 }
