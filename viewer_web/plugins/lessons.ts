@@ -8,7 +8,12 @@ interface Index {
   readonly story?: string;
 }
 
-const harmless = (json: string): string => json.replaceAll('<', '\\u003c');
+/** JSON in ASCII that does not end its block. */
+const harmless = (json: string): string =>
+  json.replace(
+    /[<\u0080-\uffff]/g,
+    (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`,
+  );
 
 function tags(directory: string): HtmlTagDescriptor[] {
   const json = readFileSync(join(directory, 'index.json'), 'utf8');

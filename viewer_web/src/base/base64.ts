@@ -1,7 +1,14 @@
+const { fromBase64: decode = inOlderBrowsers } = Uint8Array as {
+  readonly fromBase64?: (letters: string) => Uint8Array<ArrayBuffer>;
+};
+
+function inOlderBrowsers(letters: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(letters), (byte) => byte.charCodeAt(0));
+}
+
 /** The bytes of a text in base64, in either alphabet. Throws if the text is invalid. */
 export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
-  const letters = text.replaceAll('-', '+').replaceAll('_', '/');
-  return Uint8Array.from(atob(letters), (byte) => byte.charCodeAt(0));
+  return decode(text.replaceAll('-', '+').replaceAll('_', '/'));
 }
 
 export function toBase64(bytes: Uint8Array): string {
