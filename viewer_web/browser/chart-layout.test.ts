@@ -86,15 +86,9 @@ const eachOf = (page: Page, errors: readonly string[]): Promise<readonly Found[]
   }, errors);
 
 describe('accessibility', () => {
-  it.each([
-    ['light', sampleText],
-    ['dark', sampleText],
-    ['light', surfaceText],
-    ['dark', surfaceText],
-    ['light', 'null'],
-    ['dark', '{}'],
-  ] as const)('can use the chart (WCAG 2.2 AA, %s, %#)', async (colorScheme, json) => {
-    const { page } = await openChart(browser, 'lang=ru', json, { colorScheme });
+  const charts = [sampleText, surfaceText, 'null', '{}'];
+  it.each(charts)('can use the chart (WCAG 2.2 AA, %#)', async (json) => {
+    const { page } = await openChart(browser, 'lang=ru', json);
     if (json.includes('"runs"')) await page.locator('vidno-front button').first().focus();
     expect(await violations(page)).toEqual([]);
   });

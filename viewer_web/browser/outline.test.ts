@@ -201,9 +201,9 @@ describe('the search of the outline', () => {
 });
 
 describe.each(['en', 'ru'] as const)('the outline in %s', (language) => {
-  it.each(['light', 'dark'] as const)('is accessible (%s)', async (colorScheme) => {
+  it('is accessible', async () => {
     const viewport = { width: 1440, height: 1080 };
-    const { page } = await open(browser, `#lang=${language}`, { colorScheme, viewport });
+    const { page } = await open(browser, `#lang=${language}`, { viewport });
     await opened(page, 'small.jsonl', small);
     await page.locator(title).click();
     await press(page, 't');

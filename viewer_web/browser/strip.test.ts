@@ -195,17 +195,11 @@ describe('the legend of the strip', () => {
     expect(x + wide).toBeLessThanOrEqual(width);
   });
 
-  const looks = [390, 1280, 1920].flatMap((width) =>
-    (['light', 'dark'] as const).map((colorScheme) => ({ width, colorScheme })),
-  );
-  it.each(looks)(
-    'and the strip is accessible ($colorScheme, $width px)',
-    async ({ width, colorScheme }) => {
-      const viewport = { width, height: width < 500 ? 844 : 1080 };
-      const { page } = await open(browser, '#lang=en', { colorScheme, viewport });
-      await opened(page, 'small.jsonl', small);
-      await page.locator('vidno-strip-legend button').click();
-      expect(await violations(page)).toEqual([]);
-    },
-  );
+  it.each([390, 1280, 1920])('and the strip is accessible (%s px)', async (width) => {
+    const viewport = { width, height: width < 500 ? 844 : 1080 };
+    const { page } = await open(browser, '#lang=en', { viewport });
+    await opened(page, 'small.jsonl', small);
+    await page.locator('vidno-strip-legend button').click();
+    expect(await violations(page)).toEqual([]);
+  });
 });

@@ -194,8 +194,10 @@ export const storyStyle = [
     .frame dd li + li::before {
       content: '· ';
     }
+    /* Rows of targets need 24 pixels each. */
     .frame .term {
       display: inline-block;
+      line-height: 1.75;
     }
     .frame .label {
       margin-bottom: 0.2rem;
