@@ -145,7 +145,8 @@ describe('the text of a lesson', () => {
       is: 'paragraph',
       text: [{ is: 'strong', text: [term] }, '.'],
     }));
-    const lesson = sampleLesson({ blocks });
+    const story = { title: ['Relations'], blocks };
+    const lesson = sampleLesson({ story: { en: story, ru: story } });
     const { page } = await openReader(browser, '#lang=en&lesson=first', {}, lesson);
     expect(await page.locator('.frame vidno-term').count()).toBe(terms.length);
     expect(await violations(page)).toEqual([]);
