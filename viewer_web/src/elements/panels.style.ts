@@ -52,6 +52,7 @@ const onScreen = css`
   }
   .changed {
     background: var(--changed);
+    --soft: var(--ink); /* which would be too faint here in the dark */
   }
   .corners {
     width: 100%;
