@@ -21,7 +21,7 @@ const wcag: Rules = {
   type: 'tag',
   values: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'],
 };
-const contrast: Rules = { type: 'rule', values: ['color-contrast'] };
+const colours: Rules = { type: 'rule', values: ['color-contrast', 'link-in-text-block'] };
 
 /** Violations of WCAG 2.2 AA on the page, in both themes. The page must be in the light one. */
 export async function violations(page: Page): Promise<readonly string[]> {
@@ -30,7 +30,7 @@ export async function violations(page: Page): Promise<readonly string[]> {
   // Only the colours differ between the themes.
   await page.emulateMedia({ colorScheme: 'dark' });
   await settled(page);
-  const dark = await broken(page, contrast);
+  const dark = await broken(page, colours);
   await page.emulateMedia({ colorScheme: 'light' });
   return [...light, ...dark.map((each) => `in the dark: ${each}`)];
 }

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
+import { jsonInPage } from '../src/base/json-in-page.js';
 import { indexEntry, sampleLesson, shortLesson } from '../src/testing/lessons.js';
 import { built } from './browser.js';
 import { openUrl, sampleTrace } from './page.js';
@@ -48,9 +49,8 @@ function contentOf(lesson: object): string {
     indexEntry('second', ['zbuffer'], 'second.lesson.json'),
     indexEntry('third', ['warnock']),
   ];
-  const json = JSON.stringify(index).replaceAll('<', '\\u003c');
   const data = [
-    `<script type="application/json" id="vidno-lessons">${json}</script>`,
+    `<script type="application/json" id="vidno-lessons">${jsonInPage(index)}</script>`,
     ...files.map(
       ([name, bytes]) =>
         `<script type="application/octet-stream" data-vidno-file="${name}">${bytes.toString('base64')}</script>`,

@@ -2,18 +2,12 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
+import { jsonInPage } from '../src/base/json-in-page.js';
 
 interface Index {
   readonly traces: readonly { readonly file: string }[];
   readonly story?: string;
 }
-
-/** JSON in ASCII that does not end its block. */
-const harmless = (json: string): string =>
-  json.replace(
-    /[<\u0080-\uffff]/g,
-    (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`,
-  );
 
 function tags(directory: string): HtmlTagDescriptor[] {
   const json = readFileSync(join(directory, 'index.json'), 'utf8');
@@ -22,7 +16,7 @@ function tags(directory: string): HtmlTagDescriptor[] {
   const stories = lessons.flatMap(({ story }) => story ?? []);
   const file = (name: string): Buffer => readFileSync(join(directory, name));
   return [
-    block({ type: 'application/json', id: 'vidno-lessons' }, harmless(JSON.stringify(lessons))),
+    block({ type: 'application/json', id: 'vidno-lessons' }, jsonInPage(lessons)),
     ...traces.map((name) => fileBlock(name, file(name))),
     ...stories.map((name) => fileBlock(name, gzipSync(file(name), { level: 9 }))),
   ];

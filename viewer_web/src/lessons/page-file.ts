@@ -1,3 +1,4 @@
+import { jsonInPage } from '../base/json-in-page.js';
 import type { Lesson } from './lessons.js';
 
 /** The content of another page. */
@@ -28,11 +29,8 @@ const replaced = [
   'script[type="module"]',
 ].join();
 
-/** JSON as a block of data in a page, escaped so that nothing in it ends the block. */
-function jsonBlock(id: string, value: unknown): string {
-  const json = JSON.stringify(value).replaceAll('<', '\\u003c');
-  return `<script type="application/json" id="${id}">${json}</script>`;
-}
+const jsonBlock = (id: string, value: unknown): string =>
+  `<script type="application/json" id="${id}">${jsonInPage(value)}</script>`;
 
 const fileBlock = (name: string, base64: string): string =>
   `<script type="application/octet-stream" data-vidno-file="${name}">${base64}</script>`;
