@@ -21,14 +21,17 @@ struct SplitPiercing {
         for (std::size_t i = 1; i < pieces.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (run.apart(pieces[i], pieces[j])) continue;
-                const auto* line = run.lines.of_planes(*pieces[i].polygon, *pieces[j].polygon);
+                const auto* later = pieces[i].polygon;
+                const auto* earlier = pieces[j].polygon;
+                if (later->index < earlier->index) std::swap(later, earlier);
+                const auto* line = run.lines.of_planes(*later, *earlier);
                 const auto line_splits = [&](const auto& region) {
                     return !has_edge_on(region, *line) && is_on_both_sides(run.kernel, region, *line);
                 };
                 if (!line || !line_splits(pieces[i].region) || !line_splits(pieces[j].region)) continue;
                 const auto common = run.region_clip(SP1, pieces[i], pieces[j]).inside;
                 if (!is_on_both_sides(run.kernel, common, *line)) continue;
-                run.trace.pierce(SP2, *pieces[i].polygon, *pieces[j].polygon, *line);
+                run.trace.pierce(SP2, *later, *earlier, *line);
                 for (const std::size_t k : {i, j}) {
                     auto [one, other] = split(run, pieces[k].region, *line);
                     if (one.empty() || other.empty()) continue;  // by rounding: the line leaves no area on a side

@@ -4,6 +4,7 @@
 /// any arithmetic.
 #pragma once
 
+#include <cassert>
 #include <map>
 #include <optional>
 #include <utility>
@@ -29,12 +30,13 @@ public:
     }
 
     /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
-    /// the first of them is the nearer.
-    const Line* of_planes(const auto& p, const auto& q) {
-        const auto [known, is_new] = of_planes_.try_emplace({p.index, q.index});
-        if (is_new && !kernel_.parallel(p.plane, q.plane)) {
-            const auto& near = p.vertices.front();
-            known->second = kernel_.line_of(p.plane, q.plane, {near.x, near.y});
+    /// the one that comes later in the scene is the nearer.
+    const Line* of_planes(const auto& later, const auto& earlier) {
+        assert(later.index > earlier.index);
+        const auto [known, is_new] = of_planes_.try_emplace({later.index, earlier.index});
+        if (is_new && !kernel_.parallel(later.plane, earlier.plane)) {
+            const auto& near = later.vertices.front();
+            known->second = kernel_.line_of(later.plane, earlier.plane, {near.x, near.y});
         }
         return known->second ? &*known->second : nullptr;
     }
