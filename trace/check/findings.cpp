@@ -26,6 +26,7 @@ bool FindingList::is_narrow(const Gap& gap) const {
 }
 
 void FindingList::judge(const Verdict& verdict) {
+    ++decisions_;
     const auto gap = verdict.calculator ? verdict.calculator->gap() : std::nullopt;
     const bool is_wrong = verdict.wrong() || !verdict.right_for_operands;
     FindingKind kind = FindingKind::wrong;
@@ -34,8 +35,9 @@ void FindingList::judge(const Verdict& verdict) {
         kind = gap->sign == Sign::zero ? FindingKind::zero : FindingKind::narrow;
         if (kind == FindingKind::narrow && !is_narrow(*gap)) return;
     }
-    heard_.add(
-        {verdict.of, {.kind = kind, .procedure = running_.back(), .decision = JudgedDecision(verdict), .gap = gap}});
+    heard_.add({verdict.of,
+                {.kind = kind, .procedure = running_.back(), .decision = JudgedDecision(verdict), .gap = gap},
+                decisions_});
 }
 
 void FindingList::survey(const Surveyed& point) {
@@ -63,7 +65,7 @@ void FindingList::follow(const EventView& event) {
             }
         }
     });
-    for (auto& heard : heard_.told_by(event)) place(std::move(heard.finding), event);
+    for (auto& heard : heard_.told_by(event)) place(std::move(heard), event);
     event.visit([&]<class E>(const E& told) {
         if constexpr (std::same_as<E, event::Call>) {
             running_.push_back(told.of);
@@ -74,11 +76,13 @@ void FindingList::follow(const EventView& event) {
     whereabouts_.follow(event);
 }
 
-void FindingList::place(Finding finding, const EventView& event) {
+void FindingList::place(Heard heard, const EventView& event) {
+    Finding& finding = heard.finding;
     finding.step = steps_;
     finding.at = at_;
     auto& gap = finding.gap;
-    if (gap) gap->if_zero = meaning(gap->if_zero, event);
+    // An event that reports a decision reports the last one before it.
+    if (gap && heard.number == decisions_) gap->if_zero = meaning(gap->if_zero, event);
     const bool draws = event.get_if<event::Draw>();
     if (finding.procedure != Procedure::fill_polygon || draws) finding.polygons = whereabouts_.polygons(event);
     finding.pixels = whereabouts_.pixels(event, gap ? gap->pixel : std::nullopt);

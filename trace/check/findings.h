@@ -58,16 +58,17 @@ private:
     struct Heard {
         Decision of;
         Finding finding;
+        std::uint64_t number = 0;  // among all decisions; none for a point
     };
 
     bool is_narrow(const Gap& gap) const;
-    void place(Finding finding, const EventView& event);
+    void place(Heard heard, const EventView& event);
     void keep_narrow(Finding finding);
 
     std::vector<Procedure> running_;
     Whereabouts whereabouts_;
     std::size_t most_narrow_, most_zeros_;
-    std::uint64_t steps_ = 0;
+    std::uint64_t steps_ = 0, decisions_ = 0;
     Line at_{};
     Pending<Heard> heard_;
     std::vector<Finding> findings_;          // all but the narrow ones
