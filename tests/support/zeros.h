@@ -21,9 +21,10 @@ inline void hear_run(const AdmittedScene& scene, Method method,
     run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
 }
 
-/// The fields of an exact zero that the tests below compare.
+/// The fields of an exact zero that tests compare.
 struct Zero {
     std::uint64_t step;
+    Line at;
     Procedure procedure;
     Coincidence coincidence;
     std::vector<PolygonPlace> polygons;
@@ -52,7 +53,7 @@ struct JudgedScene {
 inline JudgedScene judged_scene(AdmittedScene scene, Method method) {
     JudgedScene judged{std::move(scene), {}};
     for (const auto& each : of_kind(checked(judged.scene, method, "filtered", 0), FindingKind::zero)) {
-        judged.zeros.push_back({each.step, each.procedure, each.gap->if_zero, each.polygons, each.pixels});
+        judged.zeros.push_back({each.step, each.at, each.procedure, each.gap->if_zero, each.polygons, each.pixels});
     }
     return judged;
 }
