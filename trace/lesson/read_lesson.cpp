@@ -58,8 +58,9 @@ public:
         guarded([&] {
             const nlohmann::json document = parse_json(text_);
             const JsonNode root(document);
-            root.require_keys({"format", "runs", "pins"}, {"shows", "minutes", "prerequisites", "assumes", "sources"});
+            root.object();
             root.expect_format("vidno-lesson/1");
+            root.require_keys({"format", "runs", "pins"}, {"shows", "minutes", "prerequisites", "assumes", "sources"});
             const JsonNode runs = root.at("runs");
             if (runs.size() == 0) runs.refuse("a lesson has a run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));
