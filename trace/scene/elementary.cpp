@@ -30,6 +30,8 @@ double atan2(double y, double x) {
 }
 
 double pow(double base, double exponent) {
+    // The most frequent power; the product is rounded once, too.
+    if (exponent == 2) return base * base;
     return rounded(std::pow(base, exponent), [=] { return pow(Wide(base), Wide(exponent)); });
 }
 

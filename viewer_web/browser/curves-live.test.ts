@@ -141,11 +141,21 @@ describe('a surface that the page runs', () => {
 const traced = join(process.env['VIDNO_STATES'] ?? '', 'waves-and-pit.jsonl');
 
 describe.runIf(existsSync(traced))('the samples of a function', () => {
-  it('equal those of the program', async () => {
+  it('equal those of the program, except for the last bits of sines and powers', async () => {
     const [first = ''] = readFileSync(traced, 'utf8').split('\n');
     const { scene } = JSON.parse(first) as { scene: { curves: Curves } };
     const page = await openScene(waves, 'Waves and a pit');
-    expect(await curvesOf(page)).toEqual(scene.curves);
+    const own = await curvesOf(page);
+    const columns = (curves: Curves): unknown => curves.map((curve) => curve.map(([x]) => x));
+    expect(columns(own)).toEqual(columns(scene.curves));
+    // The view enlarges the error of a sine or power, one ulp, 60 times. Rows up to 200 have an ulp of 2^-45.
+    const ulp = 2 ** -45;
+    own.forEach((curve, i) =>
+      curve.forEach(([x, y], j) => {
+        const there = scene.curves[i]?.[j]?.[1] ?? NaN;
+        expect([x, Math.abs(y - there) <= 4 * ulp]).toEqual([x, true]);
+      }),
+    );
     await goTo(page, 1);
     expect((await shown(page)).line).toBe('FH1');
   });

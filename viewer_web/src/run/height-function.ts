@@ -24,7 +24,7 @@ const rounded = [
   ...(['asinh', 'acosh', 'atanh', 'exp', 'log', 'log2', 'log10'] as const),
 ];
 
-/** The functions that libraries round differently. Those of vidno.wasm give what the program gives. */
+/** The functions that libraries round differently: those of the browser, or for the npm package those of the program. */
 export type Elementary = Pick<Math, (typeof rounded)[number] | 'atan2' | 'pow'>;
 
 /** The functions that muParser has under the same names, with one argument or two. */
