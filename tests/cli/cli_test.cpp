@@ -209,15 +209,22 @@ TEST_CASE("A file of another version is refused with advice by each command that
         const std::string file = work.write("other.json", R"({"format":")" + format + "\"}\n");
         const auto said = program(command + ' ' + file + " -o " + work.file(out));
         CHECK(said.status == 2);
-        CHECK_MESSAGE(said.text.find(" but \"" + format + "\": a newer vidno reads this file") != std::string::npos,
-                      said.text);
+        std::string known = format;
+        known.back() = '1';
+        const std::string advice = "not \"" + known + "\" but \"" + format + "\": a newer vidno reads this file";
+        CHECK_MESSAGE(said.text.find(advice) != std::string::npos, said.text);
     };
     for (const std::string name : {"scene", "surface", "failure"})
         refused("trace", "vidno-" + name + "/2", "run.jsonl");
     refused("replay", "vidno-trace/2", "states.jsonl");
     refused("figure", "vidno-trace/2", "figure.svg");
     refused("map", "vidno-question/2", "map.json");
-    refused("chart", "vidno-chart/2", "chart.svg");
+    refused("figure", "vidno-chart/2", "chart.svg");
+    refused("chart", "vidno-surface/2", "chart.svg");
+    refused("stability --merge", "vidno-stability/2", "results.jsonl");
+    const std::string results = work.write("results.jsonl", R"({"format":"vidno-stability/2"})"
+                                                            "\n");
+    CHECK(program("stability --count 1 -o " + results).text.find("a newer vidno reads this file") != std::string::npos);
 }
 
 TEST_CASE("The help and the README show the same scene of six lines, and it runs") {

@@ -332,6 +332,17 @@ TEST_CASE("Errors in a lesson are reported with file and line") {
     }
 }
 
+TEST_CASE("A lesson of another version is refused with advice") {
+    const SquareLesson lesson;
+    lesson.edit("lesson.json", "vidno-lesson/1", "vidno-lesson/2");
+    for (const std::string command : {"lesson check ", "lesson pin --step 1 ", "figure --pin one -o a.svg "}) {
+        const auto refused = program(command + lesson.folder);
+        CHECK(refused.status == 2);
+        const std::string advice = "not \"vidno-lesson/1\" but \"vidno-lesson/2\": a newer vidno reads this file";
+        CHECK_MESSAGE(refused.text.find(advice) != std::string::npos, refused.text);
+    }
+}
+
 TEST_CASE("A lesson with a run of curves is checked and built, and another kernel or method is refused") {
     const SquareLesson lesson;
     lesson.place.write("square/scene.json",

@@ -8,7 +8,7 @@ root=$(mktemp -d)
 chmod 755 "$root"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
 leave() {
-    umount "$root/proc" 2>/dev/null || true
+    umount "$root/dev/pts" "$root/proc" 2>/dev/null || true
     rm -rf --one-file-system "$root"
 }
 trap leave EXIT
@@ -19,6 +19,7 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 cp -r "$consumer" "$root/consumer"
 mount -t proc proc "$root/proc"
+mount -t devpts devpts "$root/dev/pts"
 inside apt-get update -q >/dev/null
 cat >"$root/scene.json" <<'END'
 {"window": {"x": 0, "y": 0, "width": 16, "height": 16},

@@ -38,14 +38,24 @@ for method in warnock zbuffer weiler-atherton; do
     same figure run.jsonl --step 30 --show picture,windows,list,listing --language ru -o figure.tex
     same replay run.jsonl -o states.jsonl
 done
-# The scenes of the lessons, without the surfaces that are given by a formula.
-for scene in "$lessons"/[0-9]*/*.json; do
-    if [[ $scene == */lesson.json ]] || grep -q '"function"' "$scene"; then continue; fi
+for scene in "$lessons"/[0-9]*/*.json "$lessons"/surfaces/*.json; do
+    [[ $scene != */lesson.json ]] || continue
     same trace "$scene" -o run.jsonl
     same check "$scene" --kernel float --list decisions.csv
     same figure run.jsonl --step 30 -o figure.svg
     same figure run.jsonl -o figure.tex
     same need "$scene" -o least.json
+done
+# Each function of formulas, and a power that two products round otherwise.
+for formula in 'sin(x) * cos(z) + tan(x / 4)' 'asin(x / 4) + acos(z / 4) + atan(x) + atan2(x, z)' \
+    'sinh(x) * cosh(z) + tanh(x)' 'asinh(x) + acosh(z * z + 1.5) + atanh(x / 4)' \
+    'exp(-x * x) + ln(z * z + 1) + log(x * x + 2) + log2(x * x + 3) + log10(z * z + 4)' 'x^3 - z^5 + abs(x)^(1 / 3) + 2^-x' \
+    'x < z ? max(x, 2, z) : sqrt(abs(x)) - sign(z)'; do
+    cat >surface.json <<END
+{"window": {"x": 0, "y": 0, "width": 200, "height": 150}, "function": "$formula", "x": [-1.7, 2.9], "z": [2.2, -0.9],
+ "curves": 12, "samples": 100, "view": {"origin": [10, 90], "across": [120, 10], "back": [4, -3], "up": 20}}
+END
+    same trace "$work/surface.json" --method floating-horizon -o curves.jsonl
 done
 for decision in "$lessons"/maps/*.json; do
     same map "$decision" -o map.json

@@ -13,6 +13,8 @@
 
 namespace vidno {
 
+inline constexpr std::string_view chart_format = "vidno-chart/1";
+
 /// The setting that is reduced in a run; none in a run of a plain kernel and edition.
 enum class Knob : unsigned char { bits, depth, grid, window };
 inline constexpr std::array<std::string_view, 4> knob_names{"bits", "depth", "grid", "window"};

@@ -118,10 +118,11 @@ SurfaceChart surface_of(const JsonNode& node) {
 
 AnyChart read_chart(std::string_view text, const std::string& file) {
     return read_json(text, file, [](const JsonNode& node) -> AnyChart {
+        node.object();
+        node.expect_format(chart_format);
         const bool of_surfaces = node.has("surfaces");
         const std::string_view subjects = of_surfaces ? "surfaces" : "scenes";
         node.require_keys({"format", "rounds", subjects});
-        node.expect_format("vidno-chart/1");
         if (node.at(subjects).size() == 0) node.at(subjects).refuse("none");
         if (of_surfaces) return all_of(node.at(subjects), surface_of);
         return all_of(node.at(subjects), scene_of);

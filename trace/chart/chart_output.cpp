@@ -126,7 +126,7 @@ std::vector<std::pair<std::string, std::string>> cells_of(const Json& object, co
 
 /// A chart of such subjects, each as text.
 std::string file_of(const std::string& subjects, const auto& charts, const auto& text_of) {
-    const Json head{{"format", "vidno-chart/1"}, {"rounds", chart_rounds}};
+    const Json head{{"format", chart_format}, {"rounds", chart_rounds}};
     return with(head.dump(), subjects, listed(charts, text_of)) + "\n";
 }
 

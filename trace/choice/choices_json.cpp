@@ -5,6 +5,7 @@
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
 #include "choice/palette.h"
+#include "json/document_format.h"
 #include "json/json_text.h"
 
 namespace vidno {
@@ -94,6 +95,15 @@ std::string choices_json() {
                 {"palette", colors}}
                .dump(2) +
            "\n";
+}
+
+std::string format_words_json() {
+    const auto& [other, newer, older] = english_format_words;
+    const auto& russian = russian_format_words;
+    const Json words{{"other", json_of({other, russian.other})},
+                     {"newer", json_of({newer, russian.newer})},
+                     {"older", json_of({older, russian.older})}};
+    return words.dump() + "\n";
 }
 
 std::string witnesses_json(const std::function<std::string(std::string_view)>& read) {

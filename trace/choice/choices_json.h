@@ -16,6 +16,9 @@ namespace vidno {
 /// them; `offered` are the numbers that the page offers; `witness` is a file of lessons/failures.
 std::string choices_json();
 
+/// {"other": WORDS, "newer": WORDS, "older": WORDS}, each {"en": TEXT, "ru": TEXT}: what is said of a file of another format or version.
+std::string format_words_json();
+
 /// {EDITION: {method, kernel, title, scene}}: for each deviation the smallest scene that shows it, and the run that does. `read` gives
 /// the text of a witness, a file of lessons/failures.
 std::string witnesses_json(const std::function<std::string(std::string_view witness)>& read);

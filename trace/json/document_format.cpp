@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+
+#include "refused.h"
 
 namespace vidno {
 
@@ -71,6 +74,13 @@ std::optional<int> version_of(std::string_view format) {
     return error == std::errc{} && stop == end ? std::optional(version) : std::nullopt;
 }
 
+/// The words with a format in place of each {}.
+std::string with_formats(std::string_view words, std::initializer_list<std::string_view> formats) {
+    std::string text(words);
+    for (const auto format : formats) text.replace(text.find("{}"), 2, format);
+    return text;
+}
+
 }  // namespace
 
 std::string document_format(std::string_view text) {
@@ -79,13 +89,21 @@ std::string document_format(std::string_view text) {
     return finder.format;
 }
 
+bool are_of_one_kind(std::string_view format, std::string_view other) {
+    return format.substr(0, format.find('/')) == other.substr(0, other.find('/'));
+}
+
 std::string other_format(std::string_view format, std::string_view read) {
-    std::string reason = "not \"" + std::string(read) + '"';
+    const auto [other, newer, older] = english_format_words;
     const auto found = version_of(format);
     const auto known = version_of(read);
-    if (!found || found == known) return reason;
-    return reason + " but \"" + std::string(format) + "\": " + (found > known ? "a newer" : "an older") +
-           " vidno reads this file";
+    if (!found || found == known) return with_formats(other, {read});
+    return with_formats(found > known ? newer : older, {read, format});
+}
+
+void expect_format_in(std::string_view text, std::string_view read, const std::string& file) {
+    const std::string format = document_format(text);
+    if (!format.empty() && format != read) throw Refused(file + ": /format: " + other_format(format, read));
 }
 
 }  // namespace vidno

@@ -5,6 +5,7 @@
 #include "choice/method.h"
 #include "choice/read_edition.h"
 #include "choice/read_texts.h"
+#include "json/document_format.h"
 #include "json/json_node.h"
 #include "lesson.h"
 #include "output.h"
@@ -12,6 +13,8 @@
 namespace vidno {
 
 namespace {
+
+constexpr std::string_view lesson_format = "vidno-lesson/1";
 
 /// The line that a refusal names, or the line of the value at its JSON pointer, as close as its keys lead.
 int line_of(std::string_view text, const std::string& place) {
@@ -52,14 +55,16 @@ public:
         : lesson_(lesson), problems_(problems), file_(lesson.file("lesson.json")) {
         if (!std::filesystem::exists(file_)) throw Refused(file_ + " is missing, so this is not a lesson");
         text_ = read_file(file_);
+        expect_format_in(text_, lesson_format, file_);
     }
 
     void read() {
         guarded([&] {
             const nlohmann::json document = parse_json(text_);
             const JsonNode root(document);
+            root.object();
+            root.expect_format(lesson_format);
             root.require_keys({"format", "runs", "pins"}, {"shows", "minutes", "prerequisites", "assumes", "sources"});
-            root.expect_format("vidno-lesson/1");
             const JsonNode runs = root.at("runs");
             if (runs.size() == 0) runs.refuse("a lesson has a run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));

@@ -141,7 +141,7 @@ private:
 
 }  // namespace
 
-bool is_failure(std::string_view text) { return document_format(text) == failure_format; }
+bool is_failure(std::string_view text) { return are_of_one_kind(document_format(text), failure_format); }
 
 Failure read_failure(std::string_view text, const std::string& file) {
     return read_json(text, file, [&](const JsonNode& root) { return FailureReader(file).read(root); });

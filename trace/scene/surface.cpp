@@ -244,7 +244,7 @@ std::size_t column_count(const CurveScene& curves) {
     return count;
 }
 
-bool is_surface(std::string_view text) { return document_format(text) == surface_format; }
+bool is_surface(std::string_view text) { return are_of_one_kind(document_format(text), surface_format); }
 
 Surface read_surface(std::string_view text, const std::string& file) { return read_json(text, file, read); }
 Surface read_surface(const JsonNode& node) { return read(node); }

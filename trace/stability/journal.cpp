@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "json/document_format.h"
 #include "output.h"
 #include "refused.h"
 
@@ -29,6 +30,7 @@ Journal::Journal(const std::string& name, std::string_view first_line) : name_(n
     try {
         if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refused(name + ": another run writes it");
         text_ = read_file(name);
+        expect_format_in(text_, document_format(first_line), name);
         if (!text_.starts_with(first_line) && !first_line.starts_with(text_)) {
             throw Refused(name + ": of another campaign, or not a file of results");
         }

@@ -5,12 +5,15 @@
 #include <optional>
 
 #include "choice/method.h"
+#include "json/document_format.h"
 #include "output.h"
 #include "refused.h"
 
 namespace vidno {
 
 namespace {
+
+constexpr std::string_view results_format = "vidno-stability/1";
 
 using Json = nlohmann::ordered_json;
 
@@ -70,7 +73,7 @@ void add_to(Tallies& sum, const Tallies& tallies) {
 // ------------------------------------------------------------------------------------- as text
 
 Json json_of(const Campaign& campaign) {
-    return {{"format", "vidno-stability/1"}, {"seed", campaign.seed},       {"count", campaign.count},
+    return {{"format", results_format},      {"seed", campaign.seed},       {"count", campaign.count},
             {"families", campaign.families}, {"kernels", campaign.kernels}, {"methods", campaign.methods}};
 }
 
@@ -118,7 +121,8 @@ void read_line(const std::string& line, const std::string& place, auto&& read) {
         if (read(Json::parse(line)) == line + "\n") return;
     } catch (const Json::exception&) {
     }
-    throw Refused(place + ": not a line of vidno-stability/1, or a block that came out otherwise before");
+    throw Refused(place + ": not a line of " + std::string(results_format) +
+                  ", or a block that came out otherwise before");
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -177,6 +181,7 @@ Results Results::merged(const std::vector<std::string>& files) {
     std::optional<Results> results;
     for (const auto& file : files) {
         const std::string text = read_file(file);
+        expect_format_in(text, results_format, file);
         if (!results) {
             read_line(first_line(text), file + ":1", [&](const Json& object) {
                 results.emplace(campaign_from(object));

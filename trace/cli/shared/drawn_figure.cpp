@@ -409,7 +409,8 @@ std::string drawn_figure(const FigureOptions& options) {
     const std::string text = read_file(options.input);
     if (is_failure(text)) return drawn_trace(options);
     if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
-    return (document_format(text) == "vidno-chart/1" ? drawn_chart : drawn_map)(options, text);
+    const bool is_chart = are_of_one_kind(document_format(text), chart_format);
+    return (is_chart ? drawn_chart : drawn_map)(options, text);
 }
 
 }  // namespace vidno::cli

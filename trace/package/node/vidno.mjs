@@ -6,7 +6,7 @@ import { constants, gunzipSync, gzipSync } from 'node:zlib';
 import start from './program.js';
 import { FormulaRefused, heightFunction } from './vidno-formula.mjs';
 
-let memory;
+let memory, elementary;
 const bytes = (at, size) => new Uint8Array(memory.buffer, at >>> 0, size >>> 0);
 
 let height = () => NaN;
@@ -27,7 +27,7 @@ const vidno = {
   },
   formula: (at, size, to, room) => {
     try {
-      height = heightFunction(new TextDecoder().decode(bytes(at, size)));
+      height = heightFunction(new TextDecoder().decode(bytes(at, size)), elementary);
       return 0;
     } catch (error) {
       if (!(error instanceof FormulaRefused)) throw error;
@@ -59,6 +59,7 @@ await start({
   arguments: process.argv.slice(2),
   instantiateWasm: (imports, ready) => {
     WebAssembly.instantiate(file, { ...imports, vidno }).then(({ instance, module }) => {
+      elementary = instance.exports;
       memory = instance.exports.memory;
       ready(instance, module);
     });

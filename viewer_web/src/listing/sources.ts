@@ -9,7 +9,10 @@ const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
     '../../../lib/vidno/*/*.h',
-    '!../../../lib/vidno/kernels/*',
+    // No listing leads to these.
+    '!../../../lib/vidno/{admission,kernels}/*',
+    '!../../../lib/vidno/*/*_{kernel,run}.h',
+    '!../../../lib/vidno/family/{calls,closed_bodies,windows}.h',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },

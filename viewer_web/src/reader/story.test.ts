@@ -55,6 +55,7 @@ describe('the file of a lesson', () => {
 
   it.each<[string, unknown, string]>([
     ['a later format', sampleLesson({ format: 'vidno-lesson/2' }), 'format newerFormat'],
+    ['a later format with other fields', { format: 'vidno-lesson/2' }, 'format newerFormat'],
     ['a pin of no run', sampleLesson({ traces: { run: 'x' } }), 'pins.scanline.run noSuchRun'],
     ['no text', sampleLesson({ story: {} }), 'story.en missing'],
     ['a way to no pin', saying({ is: 'pin', pin: 'x', text: [] }), 'story.en noSuchPin x'],

@@ -1,20 +1,13 @@
-import type { ConstantNode, FunctionNode, MathNode, OperatorNode, SymbolNode } from 'mathjs';
-import {
-  addDependencies,
-  create,
-  divideDependencies,
-  equalDependencies,
-  largerDependencies,
-  largerEqDependencies,
-  multiplyDependencies,
-  parseDependencies,
-  powDependencies,
-  smallerDependencies,
-  smallerEqDependencies,
-  subtractDependencies,
-  unaryMinusDependencies,
-  unequalDependencies,
-} from 'mathjs/number';
+import type {
+  ConditionalNode,
+  ConstantNode,
+  FunctionNode,
+  MathNode,
+  OperatorNode,
+  ParenthesisNode,
+  SymbolNode,
+} from 'mathjs';
+import { create, parseDependencies } from 'mathjs/number';
 
 /** y as a function of x and z. */
 export type HeightFunction = (x: number, z: number) => number;
@@ -22,99 +15,130 @@ export type HeightFunction = (x: number, z: number) => number;
 /** Why a formula is refused: a reason, possibly after its subject and a colon. */
 export class FormulaRefused extends Error {}
 
-const reader = create(
-  {
-    ...addDependencies,
-    ...divideDependencies,
-    ...equalDependencies,
-    ...largerDependencies,
-    ...largerEqDependencies,
-    ...multiplyDependencies,
-    ...parseDependencies,
-    ...powDependencies,
-    ...smallerDependencies,
-    ...smallerEqDependencies,
-    ...subtractDependencies,
-    ...unaryMinusDependencies,
-    ...unequalDependencies,
-  },
-  // Numbers are equal only if they are identical.
-  { relTol: Number.MIN_VALUE, absTol: 0 },
-);
+const reader = create({ ...parseDependencies });
 
 type Values = (...values: number[]) => number;
 
-/** The functions that muParser has under the same names, each with its number of arguments. */
-const known: Readonly<Record<string, readonly [count: number, of: Values]>> = {
-  ...Object.fromEntries(
-    (
-      [
-        ...['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'sinh', 'cosh', 'tanh'],
-        ...['asinh', 'acosh', 'atanh', 'exp', 'sqrt', 'abs', 'sign', 'log', 'log2', 'log10'],
-      ] as ('sin' | 'log')[]
-    ).map((name) => [name, [1, Math[name]]]),
-  ),
-  ln: [1, Math.log],
-  atan2: [2, Math.atan2],
-};
+const rounded = [
+  ...(['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'sinh', 'cosh', 'tanh'] as const),
+  ...(['asinh', 'acosh', 'atanh', 'exp', 'log', 'log2', 'log10'] as const),
+];
 
-/** The functions of one or more arguments. */
-const ofMany: Readonly<Record<string, Values>> = {
-  min: Math.min,
-  max: Math.max,
-  sum: (...values) => values.reduce((sum, value) => sum + value),
-  avg: (...values) => values.reduce((sum, value) => sum + value) / values.length,
-};
+/** The functions that libraries round differently: those of the browser, or for the npm package those of the program. */
+export type Elementary = Pick<Math, (typeof rounded)[number] | 'atan2' | 'pow'>;
 
-const constants: Readonly<Record<string, number>> = { pi: Math.PI, _pi: Math.PI, _e: Math.E };
-
-interface Operator extends MathNode {
-  readonly op: string;
+/** The functions that muParser has under the same names, with one argument or two. */
+function knownIn(elementary: Elementary): ReadonlyMap<string, Values> {
+  const same = (['sqrt', 'abs', 'sign'] as const).map((name) => [name, Math[name]] as const);
+  return new Map<string, Values>([
+    ...rounded.map((name) => [name, elementary[name]] as const),
+    ...same,
+    ['ln', elementary.log],
+    ['atan2', elementary.atan2],
+  ]);
 }
 
-const operators = ['+', '-', '*', '/', '^', '<', '>', '<=', '>=', '==', '!='];
+/** The functions of one or more arguments. */
+const ofMany: ReadonlyMap<string, Values> = new Map<string, Values>([
+  ['min', Math.min],
+  ['max', Math.max],
+  ['sum', (...values) => values.reduce((sum, value) => sum + value)],
+  ['avg', (...values) => values.reduce((sum, value) => sum + value) / values.length],
+]);
 
-/** The checks of each kind of node in a formula; they throw errors. */
-const takes: Readonly<Record<string, (node: MathNode) => void>> = {
-  ParenthesisNode: () => undefined,
-  ConditionalNode: () => undefined,
-  ConstantNode: (node) => {
-    const { value } = node as ConstantNode;
+const constants: ReadonlyMap<string, number> = new Map([
+  ['pi', Math.PI],
+  ['_pi', Math.PI],
+  ['_e', Math.E],
+]);
+
+const operators: ReadonlyMap<string, Values> = new Map<string, Values>(
+  Object.entries({
+    '+': (a: number, b: number) => a + b,
+    '-': (a: number, b: number) => a - b,
+    '*': (a: number, b: number) => a * b,
+    '/': (a: number, b: number) => a / b,
+    '<': (a: number, b: number) => Number(a < b),
+    '>': (a: number, b: number) => Number(a > b),
+    '<=': (a: number, b: number) => Number(a <= b),
+    '>=': (a: number, b: number) => Number(a >= b),
+    '==': (a: number, b: number) => Number(a === b),
+    '!=': (a: number, b: number) => Number(a !== b),
+  }),
+);
+
+/** Makes a function of each kind of node in a formula, or throws. */
+class Compiler {
+  private readonly known: ReadonlyMap<string, Values>;
+
+  constructor(private readonly elementary: Elementary) {
+    this.known = knownIn(elementary);
+  }
+
+  compiled(node: MathNode): HeightFunction {
+    switch (node.type) {
+      case 'ParenthesisNode':
+        return this.compiled((node as ParenthesisNode).content);
+      case 'ConstantNode':
+        return this.constant((node as ConstantNode).value);
+      case 'SymbolNode':
+        return this.symbol((node as SymbolNode).name);
+      case 'ConditionalNode':
+        return this.conditional(node as ConditionalNode);
+      case 'OperatorNode':
+        return this.operator(node as OperatorNode);
+      case 'FunctionNode':
+        return this.call(node as FunctionNode);
+      default:
+        throw new FormulaRefused('this is more than a formula');
+    }
+  }
+
+  private constant(value: unknown): HeightFunction {
     if (typeof value !== 'number') throw new FormulaRefused(`${String(value)}: no number`);
-  },
-  SymbolNode: (node) => {
-    const { name } = node as SymbolNode;
-    if (name !== 'x' && name !== 'z' && !Object.hasOwn(constants, name)) {
-      throw new FormulaRefused(`${name}: not known; there are x, z and pi`);
-    }
-  },
-  OperatorNode: (node) => {
-    const { op, args, implicit } = node as Pick<OperatorNode, 'args' | 'implicit'> & Operator;
+    return () => value;
+  }
+
+  private symbol(name: string): HeightFunction {
+    if (name === 'x') return (x) => x;
+    if (name === 'z') return (_x, z) => z;
+    const value = constants.get(name);
+    if (value === undefined) throw new FormulaRefused(`${name}: not known; there are x, z and pi`);
+    return () => value;
+  }
+
+  private conditional({ condition, trueExpr, falseExpr }: ConditionalNode): HeightFunction {
+    const [asked, then, otherwise] = [condition, trueExpr, falseExpr].map((each) =>
+      this.compiled(each),
+    ) as [HeightFunction, HeightFunction, HeightFunction];
+    return (x, z) => (asked(x, z) === 0 ? otherwise(x, z) : then(x, z));
+  }
+
+  private operator(node: OperatorNode): HeightFunction {
+    const { op, args, implicit } = node as Pick<OperatorNode, 'args' | 'implicit'> & { op: string };
     if (implicit) throw new FormulaRefused('a product is written with *');
-    if (!operators.includes(op) || (args.length === 1 && op !== '-')) {
-      throw new FormulaRefused(`${op}: not taken here`);
-    }
-  },
-  FunctionNode: (node) => {
-    const { fn, args } = node as FunctionNode;
-    const { name } = fn;
-    const [count] = Object.hasOwn(known, name) ? (known[name] ?? []) : [];
-    const isOfMany = Object.hasOwn(ofMany, name) && args.length > 0;
-    if (count === undefined && !Object.hasOwn(ofMany, name)) {
-      throw new FormulaRefused(`${name}: no such function`);
-    }
-    if (count !== args.length && !isOfMany) {
+    if (op === '-' && args.length === 1) return this.applied((value) => -value, args);
+    const of = op === '^' ? this.elementary.pow : operators.get(op);
+    if (of === undefined || args.length !== 2) throw new FormulaRefused(`${op}: not taken here`);
+    return this.applied(of, args);
+  }
+
+  private call({ fn: { name }, args }: FunctionNode): HeightFunction {
+    const known = this.known.get(name);
+    const many = ofMany.get(name);
+    const of = known ?? many;
+    if (of === undefined) throw new FormulaRefused(`${name}: no such function`);
+    const count = name === 'atan2' ? 2 : 1;
+    if (known === undefined ? args.length === 0 : args.length !== count) {
       throw new FormulaRefused(`${name}: takes another number of arguments`);
     }
-  },
-};
+    return this.applied(of, args);
+  }
 
-function expectTaken(node: MathNode): void {
-  const take = takes[node.type];
-  if (take === undefined) throw new FormulaRefused('this is more than a formula');
-  take(node);
-  if (node.type === 'FunctionNode') (node as FunctionNode).args.forEach(expectTaken);
-  else node.forEach(expectTaken);
+  private applied(of: Values, args: readonly MathNode[]): HeightFunction {
+    const each = args.map((arg) => this.compiled(arg));
+    return (x, z) => of(...each.map((arg) => arg(x, z)));
+  }
 }
 
 /** The characters that both parsers of formulas support. */
@@ -133,17 +157,8 @@ function parsed(text: string): MathNode {
 
 /**
  * Parses a function. The program's muParser accepts the same texts, with the same meaning. muParser's assignments, `&&`,
- * `||`, `rint` and further constants are not supported here. The last bits of sines and powers may differ.
+ * `||`, `rint` and further constants are not supported here.
  */
-export function heightFunction(text: string): HeightFunction {
-  const node = parsed(text);
-  expectTaken(node);
-  const formula = node.compile();
-  const scope = new Map<string, unknown>(Object.entries({ ...constants, ...ofMany }));
-  for (const [name, [, of]] of Object.entries(known)) scope.set(name, of);
-  return (x, z) => {
-    scope.set('x', x);
-    scope.set('z', z);
-    return Number(formula.evaluate(scope));
-  };
+export function heightFunction(text: string, elementary: Elementary): HeightFunction {
+  return new Compiler(elementary).compiled(parsed(text));
 }

@@ -90,7 +90,7 @@ export class Library {
    */
   private take(text: string, reason: Uint8Array): number {
     try {
-      this.height = heightFunction(text);
+      this.height = heightFunction(text, Math);
       return 0;
     } catch (error) {
       if (!(error instanceof FormulaRefused)) throw error;

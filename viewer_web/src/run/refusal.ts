@@ -1,3 +1,4 @@
+import { filled, valuesIn } from '../base/filled.js';
 import type { SceneTexts } from '../language/scene-texts.js';
 import type { Sketch } from './sketch.js';
 
@@ -74,7 +75,19 @@ function ofFormula(reason: string, say: SceneTexts): string {
 function inWords(reason: string, { reasons, missing }: SceneTexts): string {
   const [, lacking] = /^"([^"]+)" is missing$/u.exec(reason) ?? [];
   if (lacking !== undefined) return missing(lacking);
+  const whole = known(reason, reasons);
+  if (whole !== undefined) return whole;
   const [, about = '', rest = ''] = /^(.*): (.*)$/su.exec(reason) ?? [];
-  const known = reasons[rest];
-  return reasons[reason] ?? (known === undefined ? reason : `${about}: ${known}`);
+  const end = known(rest, reasons);
+  return end === undefined ? reason : `${about}: ${end}`;
+}
+
+/** The words for a reason, which may have values in place of `{}`. */
+function known(reason: string, reasons: SceneTexts['reasons']): string | undefined {
+  if (reason in reasons) return reasons[reason];
+  for (const [words, own] of Object.entries(reasons)) {
+    const values = words.includes('{}') ? valuesIn(words, reason) : null;
+    if (values !== null) return filled(own, ...values);
+  }
+  return undefined;
 }

@@ -34,6 +34,8 @@ describe('a surface that is made', () => {
 
   it('is distinguished from other files, wherever its format is stated', () => {
     expect(isSurface('{"window":{"x":0},"format":"vidno-surface/1"}')).toBe(true);
+    // Its reader says that it is of another version.
+    expect(isSurface('{"format":"vidno-surface/2"}')).toBe(true);
     expect(isSurface('{"scene":{"format":"vidno-surface/1"}}')).toBe(false);
     expect(isSurface('vidno-surface/1')).toBe(false);
   });

@@ -44,11 +44,15 @@ function membersOf(text: string): Readonly<Record<string, unknown>> | null {
   }
 }
 
-/** Whether a text is the file of a surface, even without a format. */
+const kindOf = (name: unknown): string => String(name).replace(/\/.*$/u, '');
+
+/** Whether a text is the file of a surface, of any version or without a format. */
 export function isSurface(text: string): boolean {
   const file = membersOf(text);
   if (file === null) return false;
-  return 'format' in file ? file['format'] === format : 'curves' in file || 'function' in file;
+  return 'format' in file
+    ? kindOf(file['format']) === kindOf(format)
+    : 'curves' in file || 'function' in file;
 }
 
 /** The function in a surface's file; undefined if the file has samples. */

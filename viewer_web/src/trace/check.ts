@@ -99,14 +99,15 @@ export function oneOf<const T extends string | number | boolean>(
 
 const versioned = /^vidno-[a-z]+\/(\d+)$/;
 
-/** The format of a file. A file of another version gets advice; `other_format` of the program gives the same. */
+/** The format of a file. A file of another version gets advice. */
 export function formatOf<const T extends string>(format: T): Check<T> {
   const check = oneOf(format);
-  const version = (value: string): number => Number(versioned.exec(value)?.[1] ?? NaN);
+  const version = (name: string): number => Number(versioned.exec(name)?.[1] ?? NaN);
   return (value, path) => {
-    const [found, known] = [version(String(value)), version(format)];
-    if (found > known) throw new Refusal(path, 'newerFormat', format, describe(value));
-    if (found < known) throw new Refusal(path, 'olderFormat', format, describe(value));
+    const said = String(value);
+    const [found, known] = [version(said), version(format)];
+    if (found > known) throw new Refusal(path, 'newerFormat', format, said);
+    if (found < known) throw new Refusal(path, 'olderFormat', format, said);
     return check(value, path);
   };
 }
@@ -159,17 +160,26 @@ export function tuple<const C extends readonly Check<unknown>[]>(...items: C): C
   });
 }
 
-export function plainObject(value: unknown, path: string): Readonly<Record<string, unknown>> {
+type Members = Readonly<Record<string, unknown>>;
+
+export function plainObject(value: unknown, path: string): Members {
   if (typeof value === 'object' && value !== null && !Array.isArray(value)) {
-    return value as Readonly<Record<string, unknown>>;
+    return value as Members;
   }
   throw new Refusal(path, 'object', describe(value));
+}
+
+/** An object whose format is right, if it has one: a file of another version may have other fields. */
+function objectFor({ format }: Fields, value: unknown, path: string): Members {
+  const object = plainObject(value, path);
+  if ('format' in object) format?.(object['format'], child(path, 'format'));
+  return object;
 }
 
 /** An object with at least these fields, except optional ones; other fields are dropped. */
 export function part<F extends Fields>(fields: F): Check<Recorded<F>> {
   return (value, path) => {
-    const object = plainObject(value, path);
+    const object = objectFor(fields, value, path);
     const result: Record<string, unknown> = {};
     for (const [key, check] of Object.entries(fields)) {
       if (Object.hasOwn(object, key)) result[key] = check(object[key], child(path, key));
@@ -207,7 +217,7 @@ export function oneKind<const K extends Kinds>(kinds: K): Check<OneKind<K>> {
 export function record<F extends Fields>(fields: F): Check<Recorded<F>> {
   const needed = Object.entries(fields).filter(([, { optional: may }]) => may !== true);
   return (value, path) => {
-    const object = plainObject(value, path);
+    const object = objectFor(fields, value, path);
     const result: Record<string, unknown> = {};
     for (const [key, inside] of Object.entries(object)) {
       const check = Object.hasOwn(fields, key) ? fields[key] : undefined;

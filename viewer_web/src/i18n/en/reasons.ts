@@ -1,4 +1,6 @@
+import { filled } from '../../base/filled.js';
 import type { ReasonTexts } from '../../language/texts.js';
+import words from '../../trace/format-words.json' with { type: 'json' };
 
 export const reasons: ReasonTexts = {
   number: (found) => `a number is expected here, not ${found}`,
@@ -15,8 +17,8 @@ export const reasons: ReasonTexts = {
   kernel: (found) => `a kernel such as double or bits:12 is expected here, not ${found}`,
   hash: (found) => `sha256: and 64 digits are expected here, not ${found}`,
   oneOf: (values, found) => `${values} is expected here, not ${found}`,
-  newerFormat: (format, found) => `not ${format} but ${found}: a newer vidno reads this file`,
-  olderFormat: (format, found) => `not ${format} but ${found}: an older vidno reads this file`,
+  newerFormat: (format, found) => filled(words.newer.en, format, found),
+  olderFormat: (format, found) => filled(words.older.en, format, found),
   list: (found) => `a list is expected here, not ${found}`,
   listOf: (length, found) => `a list of ${length} is expected here, not ${found}`,
   object: (found) => `an object is expected here, not ${found}`,

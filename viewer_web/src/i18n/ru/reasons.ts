@@ -1,4 +1,6 @@
+import { filled } from '../../base/filled.js';
 import type { ReasonTexts } from '../../language/texts.js';
+import words from '../../trace/format-words.json' with { type: 'json' };
 
 export const reasons: ReasonTexts = {
   number: (found) => `здесь должно стоять число, а не ${found}`,
@@ -15,10 +17,8 @@ export const reasons: ReasonTexts = {
   kernel: (found) => `здесь должно стоять имя чисел, например double или bits:12, а не ${found}`,
   hash: (found) => `здесь должно стоять sha256: и 64 цифры, а не ${found}`,
   oneOf: (values, found) => `здесь может стоять ${values}, но не ${found}`,
-  newerFormat: (format, found) =>
-    `здесь не ${format}, а ${found}: этот файл читает более новая версия vidno`,
-  olderFormat: (format, found) =>
-    `здесь не ${format}, а ${found}: этот файл читает более старая версия vidno`,
+  newerFormat: (format, found) => filled(words.newer.ru, format, found),
+  olderFormat: (format, found) => filled(words.older.ru, format, found),
   list: (found) => `здесь должен стоять список, а не ${found}`,
   listOf: (length, found) => `здесь должен стоять список длины ${length}, а не ${found}`,
   object: (found) => `здесь должен стоять объект, а не ${found}`,

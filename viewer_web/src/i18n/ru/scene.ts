@@ -1,4 +1,5 @@
 import type { SceneTexts } from '../../language/scene-texts.js';
+import words from '../../trace/format-words.json' with { type: 'json' };
 import { short } from './numbers.js';
 
 export const scene: SceneTexts = {
@@ -60,6 +61,9 @@ export const scene: SceneTexts = {
   at: (line, column) => `строка ${line}, символ ${column}`,
   missing: (key) => `нет поля «${key}»`,
   reasons: {
+    [words.other.en]: words.other.ru,
+    [words.newer.en]: words.newer.ru,
+    [words.older.en]: words.older.ru,
     'not valid JSON': 'это не JSON',
     'unknown key': 'такого поля нет',
     'the key is there twice': 'поле встречается дважды',
@@ -67,15 +71,71 @@ export const scene: SceneTexts = {
     'not an object': 'не объект',
     'not an array': 'не список',
     'not a string': 'не строка',
+    'neither true nor false': 'не true и не false',
     'not a whole number': 'не целое число',
+    'not from {} to {}': 'не от {} до {}',
+    'neither a number nor a hexadecimal one as text, such as "0x1.8p-3"':
+      'ни число, ни шестнадцатеричное число вида "0x1.8p-3"',
+    'not two coordinates': 'не две координаты',
     'not three coordinates': 'не три координаты',
     'not a colour of the form "#rrggbb"': 'не цвет вида "#rrggbb"',
     'not a hexadecimal number such as "0x1.8p-3"': 'не шестнадцатеричное число вида "0x1.8p-3"',
     'the number is beyond the range of doubles': 'число вне диапазона double',
     'nested too deeply': 'слишком глубокая вложенность',
     empty: 'пусто',
+    'longer than {} bytes': 'длиннее {} байт',
+    'the id is there twice: without one it is the position':
+      'имя встречается дважды: если его нет, оно — номер по порядку',
+    'more than {} polygons': 'многоугольников больше {}',
+    'cut into more than {} polygons': 'при разрезании получается больше {} многоугольников',
+    'more than {} curves': 'кривых больше {}',
+    'together more than {} samples': 'всех отсчётов больше {}',
+    '"window" is missing, which a camera needs': 'нет поля «window», а камере оно нужно',
+    '"window" is missing, and there are no vertices to reach over':
+      'нет поля «window», а вершин, по которым его найти, нет',
+    '"window" is missing, and there are no samples to reach over':
+      'нет поля «window», а отсчётов, по которым его найти, нет',
     'there may be more faults: reading ended here':
       'возможно, есть и другие: чтение на этом закончено',
+    '"window" is missing, and the samples reach too far for one':
+      'нет поля «window», а отсчёты заходят слишком далеко, чтобы его найти',
+    'neither "perspective" nor "orthographic"': 'не "perspective" и не "orthographic"',
+    'eye and target are one point': 'eye и target — одна точка',
+    'up does not point aside from the direction of view': 'up направлен вдоль взгляда',
+    'fov is not between 0 and 180 degrees': 'fov не между 0 и 180 градусами',
+    'near is not greater than 0': 'near не больше 0',
+    'height is not greater than 0': 'height не больше 0',
+    'near is not less than far': 'near не меньше far',
+    'out of the range of doubles': 'вне диапазона double',
+    'not above 0': 'не больше 0',
+    'not columns and rows': 'не столбцы и строки',
+    'not two numbers': 'не два числа',
+    'twice the same number': 'дважды одно и то же число',
+    'curve {} is over the columns {} to {}, and the window has {} to {}':
+      'кривая {} занимает столбцы от {} до {}, а в окне — от {} до {}',
+    'no function, which could be sampled in other ways':
+      'функции нет, так что других отсчётов взять нельзя',
+    'fewer than two samples': 'меньше двух отсчётов',
+    'not a column and a height': 'не столбец и высота',
+    'not right of the sample before': 'не правее предыдущего отсчёта',
+    'no {} of this name': 'такого имени нет: {}',
+    'not one of {}': 'не одно из {}',
+    'no such edition': 'такого текста нет',
+    'draws no surface': 'не рисует поверхностей',
+    'draws a surface, and the scene is of polygons':
+      'рисует поверхность, а сцена — из многоугольников',
+    'the kernel does not run this method and edition':
+      'с этими числами метод с этим текстом не выполняется',
+    'not two whole numbers': 'не два целых числа',
+    'shows nothing': 'ничего не показывает',
+    'not a curve and an x': 'не кривая и x',
+    'not true': 'не true',
+    'not positive': 'не положительное число',
+    'no scene shows it': 'ни одна сцена этого не показывает',
+    'the scene is too wide for a grid of 1/2^{} pixel; grid:{} is the finest that fits':
+      'сцена слишком широка для решётки с шагом 1/2^{} пикселя; самая мелкая подходящая — grid:{}',
+    'the scene is too wide for a grid of 1/2^{} pixel; none fits':
+      'сцена слишком широка для решётки с шагом 1/2^{} пикселя; не подходит ни одна',
     'not finite': 'не конечное число',
     'fewer than three vertices': 'меньше трёх вершин',
     'z outside -1 to 1': 'глубина не от −1 до 1',

@@ -1,0 +1,36 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import { inWordsOf } from './refusal.js';
+
+const sources = [
+  'json/json_node.cpp',
+  'scene/scene_json.cpp',
+  'scene/surface.cpp',
+  'scene/failure.cpp',
+];
+
+/** The reasons that a source of the library gives as they stand. */
+function reasonsIn(source: string): readonly string[] {
+  const path = fileURLToPath(new URL(`../../../trace/${source}`, import.meta.url));
+  const literals = readFileSync(path, 'utf8').matchAll(/refuse\(("(?:[^"\\]|\\.)*")\)/gu);
+  return [...literals].map(([, literal = '""']) => JSON.parse(literal) as string);
+}
+
+it.each(sources)('each reason of %s is given in Russian', (source) => {
+  const reasons = reasonsIn(source);
+  expect(reasons.length).toBeGreaterThan(3);
+  const inRussian = (reason: string): string =>
+    inWordsOf({ line: null, column: null, place: '', reason }, texts.ru.scene);
+  expect(reasons.filter((reason) => !/\p{Script=Cyrillic}/u.test(inRussian(reason)))).toEqual([]);
+});
+
+it('a file of another version is refused in the words of its reader', () => {
+  const reason = 'not "vidno-scene/1" but "vidno-scene/2": a newer vidno reads this file';
+  const fault = { line: 1, column: 12, place: '/format', reason };
+  expect(inWordsOf(fault, texts.ru.scene)).toBe(
+    'строка 1, символ 12: /format: не "vidno-scene/1", а "vidno-scene/2": этот файл читает более новая версия vidno',
+  );
+  expect(texts.en.reasons.newerFormat('vidno-scene/1', 'vidno-scene/2')).toBe(reason);
+});
