@@ -37,6 +37,15 @@ std::string read_file(const std::string& name) {
         errno = 0;
         std::ifstream in(name, std::ios::binary);
         if (!in) refuse(name, "cannot read");
+        // The stream would copy a large file several times while it grows. A pipe has no size, and a file in /proc has 0.
+        std::error_code error;
+        const auto size = std::filesystem::file_size(name, error);
+        if (!error && size > 0) {
+            std::string whole(size, '\0');
+            in.read(whole.data(), std::streamsize(size));
+            whole.resize(std::size_t(in.gcount()));
+            return whole;
+        }
         bytes << in.rdbuf();
     }
     return std::move(bytes).str();
