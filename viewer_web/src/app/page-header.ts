@@ -107,7 +107,7 @@ export class PageHeaderElement extends LitElement {
       /* On a narrow screen the links to several languages leave no room for buttons: they share a line with the name. */
       @media (max-width: 389px) {
         h1 {
-          flex-basis: calc(100% * (var(--languages) - 1));
+          margin-right: min(100% - 5rem, 100% * (var(--languages) - 1));
         }
         .more {
           margin-right: max(0rem, 5rem * (2 - var(--languages)));
