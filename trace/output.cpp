@@ -37,6 +37,15 @@ std::string read_file(const std::string& name) {
         errno = 0;
         std::ifstream in(name, std::ios::binary);
         if (!in) refuse(name, "cannot read");
+        // The stream would copy a large file several times while it grows. A pipe has no size, and a file in /proc has 0.
+        std::error_code error;
+        const auto size = std::filesystem::file_size(name, error);
+        if (!error && size > 0) {
+            std::string whole(size, '\0');
+            in.read(whole.data(), std::streamsize(size));
+            whole.resize(std::size_t(in.gcount()));
+            return whole;
+        }
         bytes << in.rdbuf();
     }
     return std::move(bytes).str();
@@ -97,17 +106,22 @@ OutputFile::OutputFile(const std::string& name, Packing packing) : name_(name), 
         stream_->file = stdout;
         return;
     }
-    temporary_ = name + ".part-" + std::to_string(getpid());
-    stream_->unfinished.emplace(temporary_);
+    // A file that is renamed would replace a device or a pipe, even /dev/null.
+    std::error_code error;
+    const auto found = std::filesystem::status(name, error);
+    if (!std::filesystem::exists(found) || std::filesystem::is_regular_file(found)) {
+        temporary_ = name + ".part-" + std::to_string(getpid());
+        stream_->unfinished.emplace(temporary_);
+    }
     errno = 0;
-    stream_->file = std::fopen(temporary_.c_str(), "wb");
+    stream_->file = std::fopen((temporary_.empty() ? name : temporary_).c_str(), "wb");
     if (!stream_->file) refuse(name, "cannot write");
     if (packing == Packing::quick && name.ends_with(".gz")) stream_->packer.emplace(stream_->file);
 }
 
 OutputFile::~OutputFile() {
+    if (stream_->file && stream_->file != stdout) std::fclose(stream_->file);
     if (temporary_.empty()) return;
-    if (stream_->file) std::fclose(stream_->file);
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);
     stream_->unfinished.reset();
@@ -120,11 +134,12 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::commit() {
     errno = 0;
-    if (temporary_.empty()) {
+    if (stream_->file == stdout) {
         if (std::fflush(stdout) != 0) refuse("standard output", "cannot write");
         return;
     }
     if (!stream_->close()) refuse(name_, "cannot write");
+    if (temporary_.empty()) return;
     std::error_code error;
     std::filesystem::rename(temporary_, name_, error);
     if (error) throw Refused(name_ + ": cannot write: " + error.message());

@@ -17,8 +17,8 @@ std::string read_file(const std::string& name);
 /// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.
 enum class Packing : unsigned char { quick, done };
 
-/// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. Throws Refused if the system
-/// refuses, or if more than eight files are written at once.
+/// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. A device or a pipe
+/// is written to directly. Throws Refused if the system refuses, or if more than eight files are written at once.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
@@ -33,7 +33,7 @@ private:
     struct Stream;
 
     std::string name_;
-    std::string temporary_;  // empty: standard output
+    std::string temporary_;  // empty: standard output, a device or a pipe
     std::unique_ptr<Stream> stream_;
 };
 

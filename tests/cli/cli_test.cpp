@@ -1,6 +1,7 @@
 // The program as its users call it: its output, its exit status, and that it creates no file when it refuses.
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -929,6 +930,16 @@ TEST_CASE("A run that a signal stops leaves no partial file") {
                                  "/bin/sh");
     CHECK(stopped.text.find("ended by 153") != std::string::npos);
     CHECK(work.files() == 1);
+}
+
+TEST_CASE("A pipe that is the output gets the bytes, and no file replaces it") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene), pipe = work.file("pipe.ppm");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    const auto read = program(
+        "-c \"'" VIDNO_FILE "' render " + scene + " -o " + pipe + " & timeout 20 cat " + pipe + "\"", "/bin/sh");
+    CHECK(read.text == square_picture);
+    CHECK(std::filesystem::is_fifo(pipe));
 }
 
 TEST_CASE("Lines that leave the range of doubles are drawn with finite numbers") {

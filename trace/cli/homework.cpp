@@ -62,12 +62,8 @@ int homework(const HomeworkOptions& options) {
     return 1;
 }
 
-}  // namespace
-
-void add_homework(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
+void describe_homework(CLI::App& command, int& status) {
     const auto options = std::make_shared<HomeworkOptions>();
-    command.alias("variants");  // its former name
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();
     command.add_option("--count", options->count, "How many")
@@ -86,6 +82,15 @@ void add_homework(CLI::App& program, int& status) {
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
         "Exit status 1: fewer were found than requested.");
     command.callback([options, &status] { status = homework(*options); });
+}
+
+}  // namespace
+
+void add_homework(CLI::App& program, int& status) {
+    const std::string does = "Make scenes as hard as this one, with other numbers";
+    describe_homework(*program.add_subcommand("homework", does), status);
+    // Its former name is not in the help.
+    describe_homework(*program.add_subcommand("variants", does)->group(""), status);
 }
 
 }  // namespace vidno::cli

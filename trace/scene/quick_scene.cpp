@@ -104,6 +104,7 @@ private:
     }
 
     bool vertices(std::vector<glm::dvec3>& vertices) {
+        vertices.reserve(4);
         return items('[', ']', [&] {
             double coordinates[3];
             int count = 0;

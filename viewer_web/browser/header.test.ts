@@ -39,7 +39,7 @@ describe('The line at the top of the page', () => {
   it.each(['en', 'ru'])('has room for a third language (%s)', async (language) => {
     const { page } = await openReader(browser, `#lang=${language}`);
     await addLanguage(page);
-    for (const width of [1440, 1280, 1199, 900, 899, 390]) {
+    for (const width of [1440, 1280, 1199, 900, 899, 390, 320]) {
       await page.setViewportSize({ width, height: 800 });
       expect(await faults(page), `${width} pixels`).toEqual([]);
     }

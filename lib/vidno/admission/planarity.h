@@ -23,7 +23,10 @@ Answer planar(const Vertices& vertices) {
 
 inline bool is_planar(const Vertices& vertices) {
     if (vertices.size() == 3) return true;
-    const Answer answer = planar<Bounds>(vertices);
+    const Answer answer = [&] {
+        const CGAL::Protect_FPU_rounding<true> upward;  // once, not in each operation, as Bounds does
+        return planar<CGAL::Interval_nt_advanced>(vertices);
+    }();
     return (answer.is_certain() ? answer : planar<Exact>(vertices)).make_certain();
 }
 

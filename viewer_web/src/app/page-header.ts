@@ -104,6 +104,15 @@ export class PageHeaderElement extends LitElement {
           margin: 0;
         }
       }
+      /* On a narrow screen the links to several languages leave no room for buttons: they share a line with the name. */
+      @media (max-width: 389px) {
+        h1 {
+          margin-right: min(100% - 5rem, 100% * (var(--languages) - 1));
+        }
+        .more {
+          margin-right: max(0rem, 5rem * (2 - var(--languages)));
+        }
+      }
     `,
   ];
 

@@ -14,7 +14,7 @@ export function verticesOf({ header }: Trace, id: string): Vertices {
   return header.scene.byId.get(id)?.vertices ?? [];
 }
 
-/** Whether a polygon is edge-on and so is shown as a segment. Sign maps do not have questions about segments. */
+/** Whether a polygon is edge-on and so is shown as a segment. Sign maps have no segments. */
 export function isSegment({ header }: Trace, id: string): boolean {
   if (header.method !== 'warnock-edges') return false;
   const [first, ...others] = header.scene.byId.get(id)?.vertices ?? [];

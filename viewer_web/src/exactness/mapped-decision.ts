@@ -5,9 +5,7 @@ import type { Polygon } from '../trace/header.js';
 import { placesAround } from './places.js';
 import type { Places } from './places.js';
 
-/**
- * The question of a decision about a point, as in the file of a sign map; lessons/maps/README.md explains the questions.
- */
+/** A decision about a point, as in the file of a sign map, which lessons/maps/README.md explains. */
 type Asked =
   | {
       readonly orientation: { readonly q: Spot; readonly r: Spot; readonly pivot: 'p' | 'q' | 'r' };
@@ -24,10 +22,10 @@ export interface MappedDecision {
   readonly asked: Asked;
 }
 
-/** The question of a decision about a point; null for other decisions. */
+/** The decision of an event as it is mapped; null if it is not about a point. */
 export type About = readonly [at: Spot, asked: Asked] | null;
 
-/** The questions by the names of the events that contain the decisions. */
+/** The mapped decisions by the names of the events that contain them. */
 export type Abouts = {
   readonly [K in EventName]?: (trace: Trace, event: Event<K>, step: number) => About;
 };

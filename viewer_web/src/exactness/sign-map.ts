@@ -37,5 +37,5 @@ const signOf = (place: number): Sign => (place - 1) as Sign;
 
 /** The source of maps. The result is null if the kernel has no map, or if another one was requested meanwhile. */
 export interface SignMapSource {
-  of(question: MappedDecision, kernel: string): Promise<SignMap | null>;
+  of(decision: MappedDecision, kernel: string): Promise<SignMap | null>;
 }

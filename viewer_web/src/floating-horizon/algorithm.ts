@@ -11,8 +11,8 @@ import { outline } from './outline.js';
 import { sentences } from './sentences.js';
 
 /** The curves, and the columns examined last, since there may be thousands of columns. */
-function things({ header, after: { horizon } }: View): readonly string[] {
-  const { previous = null, current = null } = horizon?.place ?? {};
+function things({ header, after: { floatingHorizon } }: View): readonly string[] {
+  const { previous = null, current = null } = floatingHorizon?.place ?? {};
   return [
     ...(header.scene.curves ?? []).map((_, i) => curveThing(i)),
     ...[previous, current].flatMap((looked) => (looked === null ? [] : [columnThing(looked[0])])),
@@ -46,7 +46,7 @@ defineAlgorithm(['floating-horizon'], {
     { name: 'crossing', at: ['intersection'] },
   ],
   watch: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
-  heading: ({ horizon }) => horizon?.curve ?? null,
+  heading: ({ floatingHorizon }) => floatingHorizon?.curve ?? null,
   abouts: {},
   askers: { flags, horizons, meeting },
   facts: () => [],

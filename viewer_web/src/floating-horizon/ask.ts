@@ -54,7 +54,7 @@ function heightsBefore({ timeline }: Trace, step: number): ReadonlyMap<number, H
 }
 
 const curveOf = (trace: Trace, step: number): number =>
-  trace.timeline.seek(step).values.horizon?.curve ?? 0;
+  trace.timeline.seek(step).values.floatingHorizon?.curve ?? 0;
 
 /** How does the curve lie relative to the horizons over the next columns? */
 export const flags: Asker<'flags'> = {
@@ -114,7 +114,7 @@ export const horizons: Asker<'horizons'> = {
     if (known.some(({ x }) => now('upper', x) === null)) return null;
     const raised = stepsOf(trace, step, result.step, 'raise');
     const lowered = stepsOf(trace, step, result.step, 'lower');
-    const curve = values.horizon?.curve ?? 0;
+    const curve = values.floatingHorizon?.curve ?? 0;
     const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
       of.map(({ event }) => String(event.x));
     return {
@@ -139,7 +139,7 @@ export const meeting: Asker<'meeting'> = {
   ask(trace, step) {
     if (eventAt(trace, step, 'call')?.of !== 'Intersection') return null;
     const result = nextOf(trace, step, 'intersection', 'curve');
-    const { place, curve } = trace.timeline.seek(step).values.horizon ?? {};
+    const { place, curve } = trace.timeline.seek(step).values.floatingHorizon ?? {};
     const [from, to] = [place?.previous, place?.current];
     const heights = heightsBefore(trace, step);
     if (result === null || !from || to?.[0] !== from[0] + 1) return null;

@@ -11,7 +11,7 @@ const told = async (detail: string): Promise<readonly unknown[]> => {
   const { entries } = await readHistory(text, [4, 0]);
   return entries
     .filter(({ event }) => event.e === 'visibility')
-    .map(({ known, outcome }) => [known.horizon?.curve, outcome]);
+    .map(({ known, outcome }) => [known.floatingHorizon?.curve, outcome]);
 };
 
 describe('the history of a column', () => {

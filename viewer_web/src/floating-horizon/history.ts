@@ -5,19 +5,22 @@ import type { Pixel } from '../picture/pixel.js';
 import { only } from '../replay/wanted.js';
 import type { Wanted } from '../replay/wanted.js';
 import type { Edition } from '../trace/editions.js';
-import type { CurveEvents, Detail, Event } from '../trace/events.js';
+import type { FloatingHorizonEvents, Detail, Event } from '../trace/events.js';
 import { isLostBelow } from './sides.js';
 import { emptyFloatingHorizon, placeAfter } from './state.js';
 import type { FloatingHorizon } from './state.js';
 
-type Judge<K extends keyof CurveEvents> = (event: CurveEvents[K], x: number) => Outcome | null;
+type Judge<K extends keyof FloatingHorizonEvents> = (
+  event: FloatingHorizonEvents[K],
+  x: number,
+) => Outcome | null;
 
 const over = ({ x: column }: { readonly x: number }, x: number): Outcome | null =>
   noted(column === x);
 const isAmong = (changes: readonly (readonly [number, unknown])[], x: number): boolean =>
   changes.some(([column]) => column === x);
 
-const judges: { readonly [K in keyof CurveEvents]?: Judge<K> } = {
+const judges: { readonly [K in keyof FloatingHorizonEvents]?: Judge<K> } = {
   height: over,
   draw_line: ({ fromColumns, toColumns }, x) =>
     fromColumns[1] <= x && x <= toColumns[0] ? 'paint' : null,
@@ -56,7 +59,7 @@ export class ColumnWatch implements Watch {
   }
 
   get known(): Known {
-    return { horizon: this.horizon };
+    return { floatingHorizon: this.horizon };
   }
 
   /** Skips events of other columns, except those of Visibility, which determine the horizon that a segment meets. */
@@ -78,11 +81,13 @@ export class ColumnWatch implements Watch {
     if (event.e === 'curve') this.horizon = { ...emptyFloatingHorizon, curve: event.curve };
     if (event.e === 'height' && event.x === this.x) this.horizon = { ...this.horizon, told: event };
     if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
-    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof CurveEvents>>>>)[event.e];
+    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof FloatingHorizonEvents>>>>)[
+      event.e
+    ];
     const outcome =
       event.e === 'visibility'
         ? this.look(event)
-        : (judge?.(event as CurveEvents[keyof CurveEvents], this.x) ?? null);
+        : (judge?.(event as FloatingHorizonEvents[keyof FloatingHorizonEvents], this.x) ?? null);
     if (outcome !== null) this.toldAt = step;
     return outcome;
   }

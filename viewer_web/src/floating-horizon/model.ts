@@ -1,9 +1,8 @@
 import type { Columns } from '../replay/columns.js';
 import type { Line } from '../replay/lines.js';
 import { ValueInHand, defineModel } from '../replay/model.js';
-import { afterCurves, emptyFloatingHorizon } from './state.js';
+import { effects, emptyFloatingHorizon } from './state.js';
 import type { FloatingHorizon } from './state.js';
-import { uses } from './uses.js';
 
 function values(
   { curve, place, edges }: FloatingHorizon,
@@ -26,10 +25,10 @@ function values(
 
 defineModel(['floating-horizon'], {
   begin: () =>
-    new ValueInHand('horizon', emptyFloatingHorizon, (event, now, { columns }) =>
-      columns === null ? now : afterCurves(event, now, columns),
+    new ValueInHand('floatingHorizon', emptyFloatingHorizon, (event, now, { columns }) =>
+      columns === null ? now : effects.after(event, now, columns),
     ),
-  uses,
-  compared: ({ held: { horizon = emptyFloatingHorizon }, columns, lines }) =>
-    values(horizon, columns, lines),
+  uses: effects.uses,
+  compared: ({ held: { floatingHorizon = emptyFloatingHorizon }, columns, lines }) =>
+    values(floatingHorizon, columns, lines),
 });

@@ -1,13 +1,13 @@
 import type { Numbers } from '../language/texts.js';
 import type { Notes } from '../listing/notes.js';
-import type { CurveEvents } from '../trace/events.js';
+import type { FloatingHorizonEvents } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 
 const heights = (all: readonly (N | undefined)[], { list }: Numbers): string =>
   list(all.map((y) => y ?? '∅'));
 
 /** The notes of the events of curves, in the notation of the listing. */
-export const notes: Pick<Notes, keyof CurveEvents> = {
+export const notes: Pick<Notes, keyof FloatingHorizonEvents> = {
   horizons: ({ upper, lower }, numbers) => heights([upper, lower], numbers),
   curve: ({ curve }) => String(curve),
   side_edge: ({ sample }, { point }) => point(sample),

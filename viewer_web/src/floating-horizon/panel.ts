@@ -31,11 +31,11 @@ export class HorizonPanel extends LitElement {
   }
 
   private get now(): FloatingHorizon {
-    return this.view.after.horizon ?? emptyFloatingHorizon;
+    return this.view.after.floatingHorizon ?? emptyFloatingHorizon;
   }
 
   private get old(): FloatingHorizon {
-    return this.view.before.horizon ?? emptyFloatingHorizon;
+    return this.view.before.floatingHorizon ?? emptyFloatingHorizon;
   }
 
   override render(): TemplateResult {

@@ -34,7 +34,7 @@ export class SampleHandlesElement extends LitElement {
 
   /** The current curve, or the first one. */
   private get curve(): number {
-    return this.view.after.horizon?.curve ?? 0;
+    return this.view.after.floatingHorizon?.curve ?? 0;
   }
 
   private sampleAt({ curve, sample }: SampleSpot): Sample | undefined {

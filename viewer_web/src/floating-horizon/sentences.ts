@@ -3,7 +3,7 @@ import type { SentencesOf } from '../language/texts.js';
 import { rangeOf } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import { isPoint } from '../replay/lines.js';
-import type { CurveEvents } from '../trace/events.js';
+import type { FloatingHorizonEvents } from '../trace/events.js';
 import type { Flag } from './events.js';
 import { isLostBelow, metBy } from './sides.js';
 
@@ -49,7 +49,7 @@ const lostBelow = {
   ru: 'на нижнем горизонте или ниже него (−1)',
 };
 
-export const sentences: SentencesOf<keyof CurveEvents> = {
+export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
   horizons: {
     en: ({ upper, lower }, { short }) =>
       upper === undefined || lower === undefined
@@ -74,13 +74,13 @@ export const sentences: SentencesOf<keyof CurveEvents> = {
   },
   visibility: {
     en: ({ x, flag }, { after, header, short }) => {
-      const told = after.horizon?.told ?? null;
+      const told = after.floatingHorizon?.told ?? null;
       const at = told?.x === x ? ` at ${short(told.y)}` : '';
       const isLost = isLostBelow(flag, header.edition);
       return `Over column ${short(x)} the curve${at} is ${isLost ? lostBelow.en : flags.en[flag]}.`;
     },
     ru: ({ x, flag }, { after, header, short }) => {
-      const told = after.horizon?.told ?? null;
+      const told = after.floatingHorizon?.told ?? null;
       const at = told?.x === x ? ` на высоте ${short(told.y)}` : '';
       const isLost = isLostBelow(flag, header.edition);
       return `Над столбцом ${short(x)} кривая${at} — ${isLost ? lostBelow.ru : flags.ru[flag]}.`;
@@ -88,11 +88,11 @@ export const sentences: SentencesOf<keyof CurveEvents> = {
   },
   intersection: {
     en: ({ at, point: met, columns: between }, words) => {
-      const horizon = metBy(at, words.after.horizon ?? null);
+      const horizon = metBy(at, words.after.floatingHorizon ?? null);
       return `The segment meets ${horizon === null ? 'the horizon' : names.en[horizon]} at ${words.point(met)}, ${where.en(between, words)}.`;
     },
     ru: ({ at, point: met, columns: between }, words) => {
-      const horizon = metBy(at, words.after.horizon ?? null);
+      const horizon = metBy(at, words.after.floatingHorizon ?? null);
       return `Отрезок встречается ${horizon === null ? 'с горизонтом' : names.ru[horizon]} в ${words.point(met)}, ${where.ru(between, words)}.`;
     },
   },

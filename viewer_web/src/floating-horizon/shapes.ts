@@ -7,7 +7,7 @@ import type { Shape } from '../picture/shapes.js';
 import { curveThing, thingOf } from '../algorithm/pointed.js';
 import type { Grid } from '../replay/grid.js';
 import { hasDefect } from '../trace/editions.js';
-import type { CurveEvents, Event } from '../trace/events.js';
+import type { FloatingHorizonEvents, Event } from '../trace/events.js';
 import type { Area, Curve } from '../trace/header.js';
 import type { N } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
@@ -67,7 +67,7 @@ function horizonData(heights: Grid<N | null>, { x, width }: Area): string {
 }
 
 const curveInHand = ({ header, after }: View): Curve | null =>
-  header.scene.curves?.[after.horizon?.curve ?? -1] ?? null;
+  header.scene.curves?.[after.floatingHorizon?.curve ?? -1] ?? null;
 
 const first = (curve: Curve): Spot => curve[0] ?? [NaN, NaN];
 const last = (curve: Curve): Spot => curve.at(-1) ?? [NaN, NaN];
@@ -83,7 +83,7 @@ type Draw = (view: View, frame: Frame) => readonly Shape[];
 /** The shapes of each layer; later shapes are on top. */
 const layers: Readonly<Record<Layer, Draw>> = {
   edges: ({ header, after }) => {
-    const { curve = null, edges } = after.horizon ?? {};
+    const { curve = null, edges } = after.floatingHorizon ?? {};
     if (curve === null || edges === undefined) return [];
     const begun = header.scene.curves?.slice(0, curve + 1) ?? [];
     return [sideEdge(begun.map(first), edges.left), sideEdge(begun.map(last), edges.right)];
@@ -91,7 +91,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
   curve: (view, { scale }) => {
     const curve = curveInHand(view);
     if (curve === null) return [];
-    const ends = view.after.horizon?.place.segment;
+    const ends = view.after.floatingHorizon?.place.segment;
     const segment = curve.filter(([x]) => ends?.includes(x));
     const [from, to] = [curve[0]?.[0] ?? 0, curve.at(-1)?.[0] ?? 0];
     const areApart = (to - from) * scale >= samplesApart * (curve.length - 1);
@@ -120,7 +120,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
     const { columns, after, header } = view;
     const curve = curveInHand(view);
     const { area } = header.scene;
-    const x = (after.horizon?.place.current ?? after.horizon?.place.previous)?.[0];
+    const x = (after.floatingHorizon?.place.current ?? after.floatingHorizon?.place.previous)?.[0];
     if (columns === null || curve === null || x === undefined) return [];
     const r = Math.min(flagSize, 0.45 * scale) / scale;
     const data: Record<FlagLook, string> = { above: '', below: '', hidden: '', both: '' };
@@ -138,8 +138,8 @@ const layers: Readonly<Record<Layer, Draw>> = {
   },
 };
 
-type OfEvent<K extends keyof CurveEvents> = (
-  event: CurveEvents[K],
+type OfEvent<K extends keyof FloatingHorizonEvents> = (
+  event: FloatingHorizonEvents[K],
   view: View,
   frame: Frame,
 ) => readonly Shape[];
@@ -154,7 +154,7 @@ const heightDot: OfEvent<'raise' | 'lower' | 'height'> = ({ x, y }, _view, frame
 ];
 
 /** The shapes of the step itself. */
-const ofStep: { readonly [K in keyof CurveEvents]?: OfEvent<K> } = {
+const ofStep: { readonly [K in keyof FloatingHorizonEvents]?: OfEvent<K> } = {
   side_edge: ({ sample }, _view, frame) => [dotAt('point', sample, frame)],
   visibility: ({ x, flag }, view, frame) => {
     const y = heightOver(curveInHand(view) ?? [], x);
@@ -186,8 +186,10 @@ const ofStep: { readonly [K in keyof CurveEvents]?: OfEvent<K> } = {
 const columnData = (x: number, { y, height }: Area): string => `M${x} ${y}v${height}`;
 
 function stepShapes(event: Event, view: View, frame: Frame): readonly Shape[] {
-  const draw = (ofStep as Readonly<Partial<Record<string, OfEvent<keyof CurveEvents>>>>)[event.e];
-  return draw?.(event as CurveEvents[keyof CurveEvents], view, frame) ?? [];
+  const draw = (ofStep as Readonly<Partial<Record<string, OfEvent<keyof FloatingHorizonEvents>>>>)[
+    event.e
+  ];
+  return draw?.(event as FloatingHorizonEvents[keyof FloatingHorizonEvents], view, frame) ?? [];
 }
 
 /** The shapes of what is pointed at or asked about, anywhere on the page. */

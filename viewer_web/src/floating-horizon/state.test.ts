@@ -24,7 +24,7 @@ describe('the state of the floating horizon', () => {
       { ...curve, curve: 1 } satisfies Event,
     ];
     const { timeline } = await traceOf(textWith(header, events));
-    const placeAt = (step: number): unknown => timeline.seek(step).values.horizon?.place;
+    const placeAt = (step: number): unknown => timeline.seek(step).values.floatingHorizon?.place;
     expect(placeAt(3)).toEqual({ segment: [0, 4], previous: [0, 1], current: null });
     expect(placeAt(5)).toEqual({ segment: [0, 4], previous: [0, 1], current: [1, 1] });
     expect(placeAt(7)).toEqual({ segment: [0, 4], previous: [1, 1], current: [2, 0] });
@@ -36,7 +36,7 @@ describe('the state of the floating horizon', () => {
     const steps = Array.from({ length: timeline.length }, (_, i) => i + 1);
     const isRaised = (step: number): boolean => timeline.event(step)?.e === 'raise';
     const [raise = 0] = steps.filter(
-      (step) => isRaised(step) && timeline.seek(step).values.horizon?.curve === 2,
+      (step) => isRaised(step) && timeline.seek(step).values.floatingHorizon?.curve === 2,
     );
     const event = timeline.event(raise);
     if (event?.e !== 'raise') throw new Error('nothing was raised');

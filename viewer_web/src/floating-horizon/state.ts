@@ -1,5 +1,6 @@
 import type { Columns } from '../replay/columns.js';
-import type { CurveEvents, Event } from '../trace/events.js';
+import { Effects, noneOfCommon, nothing } from '../replay/effects.js';
+import type { FloatingHorizonEvents } from '../trace/events.js';
 import type { Curve } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Sample } from '../trace/values.js';
@@ -7,13 +8,13 @@ import type { Flag, Segment } from './events.js';
 
 declare module '../replay/model.js' {
   interface Held {
-    readonly horizon?: FloatingHorizon;
+    readonly floatingHorizon?: FloatingHorizon;
   }
 }
 
 declare module '../language/words.js' {
   interface Known {
-    readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'>;
+    readonly floatingHorizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'>;
   }
 }
 
@@ -35,7 +36,7 @@ export interface FloatingHorizon {
   readonly curve: number | null;
   readonly place: Place;
   /** The height that Visibility examined last, if the trace contains it. */
-  readonly told: CurveEvents['height'] | null;
+  readonly told: FloatingHorizonEvents['height'] | null;
   /** The points that the side edges have reached. */
   readonly edges: { readonly left: Sample | null; readonly right: Sample | null };
 }
@@ -48,16 +49,6 @@ export const emptyFloatingHorizon: FloatingHorizon = {
   told: null,
   edges: { left: null, right: null },
 };
-
-type Name = keyof CurveEvents;
-type Handler<K extends Name> = (
-  event: Event<K>,
-  now: FloatingHorizon,
-  columns: Columns,
-) => Partial<FloatingHorizon>;
-
-const unchanged: Partial<FloatingHorizon> = {};
-const nothing = (): Partial<FloatingHorizon> => unchanged;
 
 /** Whether the curve has samples on these columns and none between. */
 function isOf([first, last]: Segment, curve: Curve): boolean {
@@ -72,7 +63,7 @@ function expectOf(segment: Segment, { curve }: FloatingHorizon, { scene }: Colum
 
 /** The place after Visibility has examined one more column. */
 export function placeAfter(
-  { at, segment, x, flag }: CurveEvents['visibility'],
+  { at, segment, x, flag }: FloatingHorizonEvents['visibility'],
   { previous, current }: Place,
 ): Place {
   return at === 'FH4'
@@ -80,50 +71,78 @@ export function placeAfter(
     : { segment, previous: current ?? previous, current: [x, flag] };
 }
 
-const handlers: { readonly [K in Name]: Handler<K> } = {
-  horizons: ({ upper = null, lower = null }, _now, columns) => {
-    columns.begin(upper, lower);
-    return unchanged;
+export const effects = new Effects<keyof FloatingHorizonEvents, FloatingHorizon, Columns>({
+  ...noneOfCommon,
+  horizons: {
+    sets: ['horizons'],
+    does: ({ upper = null, lower = null }, _now, columns) => {
+      columns.begin(upper, lower);
+      return undefined;
+    },
   },
-  curve: ({ curve }, _now, columns) => {
-    if (curve >= (columns.scene.curves?.length ?? 0)) {
-      throw new Refusal('curve', 'noSuchCurve', String(curve));
-    }
-    columns.forget();
-    return { curve, place: nowhere, told: null };
+  curve: {
+    sets: ['curve', 'place', 'told', 'flags', 'before'],
+    reads: ['horizons'],
+    needs: [],
+    does: ({ curve }, _now, columns) => {
+      if (curve >= (columns.scene.curves?.length ?? 0)) {
+        throw new Refusal('curve', 'noSuchCurve', String(curve));
+      }
+      columns.forget();
+      return { curve, place: nowhere, told: null };
+    },
   },
-  side_edge: ({ at, sample }, { edges }) => ({
-    edges: at === 'FH3' ? { ...edges, left: sample } : { ...edges, right: sample },
-  }),
-  visibility: (event, { place }, columns) => {
-    columns.look(event.x, event.flag);
-    if (event.at === 'FH4') columns.keep();
-    return { place: placeAfter(event, place) };
+  side_edge: {
+    changes: ['edges'],
+    does: ({ at, sample }, { edges }) => ({
+      edges: at === 'FH3' ? { ...edges, left: sample } : { ...edges, right: sample },
+    }),
+  },
+  visibility: {
+    changes: ['place', 'flags', 'before'],
+    reads: ['horizons'],
+    needs: [],
+    does: (event, { place }, columns) => {
+      columns.look(event.x, event.flag);
+      if (event.at === 'FH4') columns.keep();
+      return { place: placeAfter(event, place) };
+    },
   },
   intersection: nothing,
-  draw_line: ({ segment }, now, columns) => {
-    expectOf(segment, now, columns);
-    return { place: { ...now.place, segment } };
+  draw_line: {
+    changes: ['place'],
+    reads: ['curve'],
+    needs: ['curve'],
+    does: ({ segment }, now, columns) => {
+      expectOf(segment, now, columns);
+      return { place: { ...now.place, segment } };
+    },
   },
-  horizon: ({ upper, lower }, _now, columns) => {
-    for (const [x, y] of upper) columns.raise(x, y);
-    for (const [x, y] of lower) columns.lower(x, y);
-    return unchanged;
+  horizon: {
+    changes: ['horizons'],
+    needs: [],
+    does: ({ upper, lower }, _now, columns) => {
+      for (const [x, y] of upper) columns.raise(x, y);
+      for (const [x, y] of lower) columns.lower(x, y);
+      return undefined;
+    },
   },
-  height: (event) => ({ told: event }),
-  raise: ({ x, y }, _now, columns) => {
-    columns.raise(x, y);
-    return unchanged;
+  height: { sets: ['told'], does: (event) => ({ told: event }) },
+  raise: {
+    changes: ['horizons'],
+    needs: [],
+    does: ({ x, y }, _now, columns) => {
+      columns.raise(x, y);
+      return undefined;
+    },
   },
-  lower: ({ x, y }, _now, columns) => {
-    columns.lower(x, y);
-    return unchanged;
+  lower: {
+    changes: ['horizons'],
+    needs: [],
+    does: ({ x, y }, _now, columns) => {
+      columns.lower(x, y);
+      return undefined;
+    },
   },
   step: nothing,
-};
-
-export function afterCurves(event: Event, now: FloatingHorizon, columns: Columns): FloatingHorizon {
-  const handle = (handlers as Readonly<Partial<Record<string, Handler<Name>>>>)[event.e];
-  const change = handle?.(event as Event<Name>, now, columns) ?? unchanged;
-  return change === unchanged ? now : { ...now, ...change };
-}
+});

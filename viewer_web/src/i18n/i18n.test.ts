@@ -14,7 +14,7 @@ import { parseHeader } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { emptyWarnock } from '../warnock/state.js';
 import type { Warnock } from '../warnock/state.js';
-import { emptyRegions } from '../weiler-atherton/state.js';
+import { emptyWeilerAtherton } from '../weiler-atherton/state.js';
 import { emptyZBuffer } from '../zbuffer/state.js';
 import { complaint, texts } from './index.js';
 
@@ -25,8 +25,8 @@ const values: Values = {
   calls: [],
   warnock: { ...emptyWarnock, window: [0, 0, 4, 4], apl },
   zbuffer: { ...emptyZBuffer, polygon: 'A' },
-  horizon: { ...emptyFloatingHorizon, curve: 0 },
-  regions: emptyRegions,
+  floatingHorizon: { ...emptyFloatingHorizon, curve: 0 },
+  weilerAtherton: emptyWeilerAtherton,
 };
 const say = (event: Event, language: Language): string =>
   sentence(event, values, values, { ...header, method: tellerOf(event) }, language);

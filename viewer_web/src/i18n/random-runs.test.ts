@@ -3,14 +3,14 @@ import { sentence } from '../algorithm/sentence.js';
 import { viewOf } from '../algorithm/view.js';
 import { languages } from '../language/language.js';
 import { canonical } from '../replay/canonical.js';
-import { curveFacts } from '../testing/facts/curves.js';
+import { floatingHorizonFacts } from '../testing/facts/floating-horizon.js';
 import type { Fact, Facts, Moment, ProgramState } from '../testing/facts/fact.js';
 import { familyFacts } from '../testing/facts/family.js';
 import { Moments } from '../testing/facts/moments.js';
-import { regionFacts } from '../testing/facts/regions.js';
-import { scanlineFacts } from '../testing/facts/scanlines.js';
+import { weilerAthertonFacts } from '../testing/facts/weiler-atherton.js';
+import { zBufferFacts } from '../testing/facts/zbuffer.js';
 import { faultOf } from '../testing/facts/told.js';
-import { windowFacts } from '../testing/facts/windows.js';
+import { warnockFacts } from '../testing/facts/warnock.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';
 import type { RandomRun } from '../testing/random-runs.js';
@@ -21,11 +21,11 @@ import type { Event, EventName } from '../trace/events.js';
 const program = process.env['VIDNO_PROGRAM'];
 
 const facts: Facts<EventName> = {
-  ...windowFacts,
+  ...warnockFacts,
   ...familyFacts,
-  ...scanlineFacts,
-  ...curveFacts,
-  ...regionFacts,
+  ...zBufferFacts,
+  ...floatingHorizonFacts,
+  ...weilerAthertonFacts,
 };
 
 /** The errors in the sentences of a run, and the events that occur in it. */

@@ -1,11 +1,11 @@
-import type { CurveEvents } from '../trace/events.js';
+import type { FloatingHorizonEvents } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { N } from '../trace/values.js';
 import { Grid } from './grid.js';
 import type { Row } from './grid.js';
 
-type Flag = CurveEvents['visibility']['flag'];
+type Flag = FloatingHorizonEvents['visibility']['flag'];
 
 /** A height or none over each column of the area. */
 type Heights = Grid<N | null>;

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import { numberOf } from '../trace/events.js';
-import type { CurveEvents, Event } from '../trace/events.js';
+import type { FloatingHorizonEvents, Event } from '../trace/events.js';
 import { Lines } from './lines.js';
 
-type Drawn = CurveEvents['draw_line'];
+type Drawn = FloatingHorizonEvents['draw_line'];
 type Columns = Drawn['fromColumns'];
 
 const on = (x: number): Columns => [x, x];

@@ -1,5 +1,5 @@
 import { numberOf } from '../trace/events.js';
-import type { CurveEvents, Event } from '../trace/events.js';
+import type { FloatingHorizonEvents, Event } from '../trace/events.js';
 import type { Point } from '../trace/values.js';
 
 /** A visible part of a curve. */
@@ -17,7 +17,7 @@ export interface Told {
   event(step: number): Event | null;
 }
 
-type Drawn = CurveEvents['draw_line'];
+type Drawn = FloatingHorizonEvents['draw_line'];
 
 /** A step that drew: the last line after it, its segment, and the index of the line. */
 interface Entry {

@@ -1,31 +1,22 @@
 import { eventNames } from '../trace/events.js';
-import type { CommonEvents, EventName } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
 
 /**
  * How an event uses the state before it, by the names of the state's fields. The call stack and the drawn lines are handled
  * separately.
  */
-export interface Use {
+export interface Use<Field extends string = string> {
   /** Fields with a new value that does not depend on the old one. */
-  readonly sets?: readonly string[];
+  readonly sets?: readonly Field[];
   /** Fields with a new value that depends on the old one. */
-  readonly changes?: readonly string[];
+  readonly changes?: readonly Field[];
   /** Other fields that it reads. */
-  readonly reads?: readonly string[];
+  readonly reads?: readonly Field[];
   /** Fields, besides its own, that determine whether it can happen. Without `needs` it can always happen. */
-  readonly needs?: readonly string[];
+  readonly needs?: readonly Field[];
 }
 
-export const nothing: Use = {};
-
-/** Events that all algorithms have usually change nothing. */
-export const noneOfCommon: Readonly<Record<keyof CommonEvents, Use>> = {
-  plane: nothing,
-  call: nothing,
-  depth: nothing,
-  fault: nothing,
-  disagree: nothing,
-};
+const nothing: Use = {};
 
 /** Sets of fields as bits. */
 type Fields = number;

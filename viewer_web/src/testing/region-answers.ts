@@ -34,21 +34,21 @@ const givenOf = ({ parts }: Question, asks: string): readonly Given[] =>
 /** The expected answers to the questions about Weiler and Atherton's algorithm. */
 export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
   piercing: ({ after, right }) => {
-    const { facets = [] } = after.regions ?? {};
+    const { facets = [] } = after.weilerAtherton ?? {};
     const ids = facets.map(([id]) => id);
     const split = ids.filter((id, i) => ids.indexOf(id) !== i);
     expect(sorted(right['pierced'])).toEqual(sorted([...new Set(split)]));
     expect(right['pieces']).toEqual([String(facets.length)]);
   },
   sort: ({ trace, question, right }) => {
-    const { lists = [] } = trace.timeline.seek(question.until + 1).values.regions ?? {};
+    const { lists = [] } = trace.timeline.seek(question.until + 1).values.weilerAtherton ?? {};
     expect(right['first']).toEqual([lists.at(-1)?.[0]?.[0]]);
     const depths = question.parts[1]?.options.map(({ value }) => value) ?? [];
     const numbers = depths.map((z) => toNumber(z.includes('/') ? z : Number(z)));
     expect(right['depth']).toEqual([depths[numbers.indexOf(Math.max(...numbers))]]);
   },
   parted: ({ question, after, right }) => {
-    const { inside = [], outside = [] } = after.regions?.inHand ?? {};
+    const { inside = [], outside = [] } = after.weilerAtherton?.inHand ?? {};
     expect(sorted(right['within'])).toEqual(idsOf(inside));
     expect(sorted(right['beyond'])).toEqual(idsOf(outside));
     for (const { value } of givenOf(question, 'outlines')) {
@@ -57,7 +57,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     }
   },
   entering: ({ trace, question, before, right }) => {
-    const clip = before.regions?.inHand?.pieces[0]?.[1] ?? [];
+    const clip = before.weilerAtherton?.inHand?.pieces[0]?.[1] ?? [];
     const pieces = stepsOf(trace, question.step, question.until, 'edge_piece');
     for (const { event } of pieces) {
       const last = pieces.find((each) => point(each.event.to) === point(event.from))?.event;
@@ -74,15 +74,15 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     const walked = [question.about.from, ...(right['walked'] ?? [])].map((number) =>
       points.find(({ value }) => value === number)?.note?.(texts.en),
     );
-    const [, region = []] = after.regions?.inHand?.inside.at(-1) ?? [];
+    const [, region = []] = after.weilerAtherton?.inHand?.inside.at(-1) ?? [];
     const loops = region
       .map((loop) => loop.map(point))
       .filter((each) => each.length === walked.length);
     expect(loops.map((loop) => [...loop, ...loop].join()).join('; ')).toContain(walked.join());
   },
   behind: ({ trace, question, before, after, right }) => {
-    const inside = before.regions?.inHand?.inside.filter(([, , ground]) => !ground) ?? [];
-    const left = after.regions?.inHand?.inside.map(([id]) => id) ?? [];
+    const inside = before.weilerAtherton?.inHand?.inside.filter(([, , ground]) => !ground) ?? [];
+    const left = after.weilerAtherton?.inHand?.inside.map(([id]) => id) ?? [];
     const gone = inside.map(([id]) => id).filter((id) => !left.includes(id));
     expect(sorted(right['hidden'])).toEqual(sorted(gone));
     // A clip polygon that no inside part hides is visible at the next step.
@@ -90,7 +90,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     expect(right['next']).toEqual([isShown ? 'visible' : 'again']);
   },
   stack: ({ after, right }) => {
-    const { pieces = [] } = after.regions?.inHand ?? {};
+    const { pieces = [] } = after.weilerAtherton?.inHand ?? {};
     expect(right['clips']).toEqual([pieces[0]?.[0]]);
     expect(sorted(right['listed'])).toEqual(idsOf(pieces));
   },

@@ -1,6 +1,6 @@
 import type { Event, EventName } from '../trace/events.js';
-import { curveSamples } from './curve-samples.js';
-import { regionSamples } from './region-samples.js';
+import { floatingHorizonSamples } from './floating-horizon-samples.js';
+import { weilerAthertonSamples } from './weiler-atherton-samples.js';
 
 /** One event of each kind, and several where a sentence has cases. A missing kind does not compile. */
 export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
@@ -217,8 +217,8 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   ],
   ael_step: [{ e: 'ael_step', at: 'Z17', edge: 0, x: 1.5, z: 0.5 }],
 
-  ...curveSamples,
-  ...regionSamples,
+  ...floatingHorizonSamples,
+  ...weilerAthertonSamples,
 };
 
 export const allSamples: readonly Event[] = Object.values(samples).flat();

@@ -55,8 +55,8 @@ export type CommonEvents = Pick<Events, Common>;
 export type EventsOf<M extends Method> = Pick<Events, Exclude<EventOf<M>, Common>>;
 export type WarnockEvents = EventsOf<Windows>;
 export type ZBufferEvents = EventsOf<'zbuffer'>;
-export type CurveEvents = EventsOf<'floating-horizon'>;
-export type RegionEvents = EventsOf<'weiler-atherton'>;
+export type FloatingHorizonEvents = EventsOf<'floating-horizon'>;
+export type WeilerAthertonEvents = EventsOf<'weiler-atherton'>;
 /** The events that only the variants of `warnock` have. */
 export type FamilyEvents = Omit<WarnockEvents, EventOf<'warnock'>>;
 

@@ -2,8 +2,8 @@ import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import { changeApl, currentApl } from './lists.js';
+import { effects } from './state.js';
 import type { Warnock } from './state.js';
-import { uses } from './uses.js';
 
 type Change = Event<'discard' | 'mark'>;
 
@@ -11,7 +11,9 @@ const isChange = (event: Event): event is Change => event.e === 'discard' || eve
 
 /** The events that need the list to be up to date. */
 const lookers: ReadonlySet<EventName> = new Set(
-  eventNames.filter((name) => uses.fieldsOf(name).some((it) => it === 'apl' || it === 'stack')),
+  eventNames.filter((name) =>
+    effects.uses.fieldsOf(name).some((it) => it === 'apl' || it === 'stack'),
+  ),
 );
 
 /**

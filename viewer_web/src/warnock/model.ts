@@ -4,9 +4,8 @@ import type { Hand, Held, Paper } from '../replay/model.js';
 import { hasThreeLists, hasWindows, methods } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import { ListInHand } from './list-in-hand.js';
-import { afterWarnock, emptyWarnock } from './state.js';
+import { effects, emptyWarnock } from './state.js';
 import type { Joined, Warnock } from './state.js';
-import { uses } from './uses.js';
 
 /** Warnock's algorithm, with the list of the current window handled separately. */
 class WarnockInHand implements Hand {
@@ -20,7 +19,7 @@ class WarnockInHand implements Hand {
 
   take(event: Event, { screen }: Paper): void {
     if (this.list.take(event, this.warnock)) return;
-    this.warnock = afterWarnock(event, this.list.before(event, this.warnock), screen);
+    this.warnock = effects.after(event, this.list.before(event, this.warnock), screen);
   }
 
   load({ warnock = emptyWarnock }: Held): void {
@@ -52,7 +51,7 @@ function otherLists({ joined: { surrounding, outside } }: Warnock): object {
 
 defineModel(methods.filter(hasWindows), {
   begin: () => new WarnockInHand(),
-  uses,
+  uses: effects.uses,
   compared: ({ held: { warnock = emptyWarnock }, method, screen }) => ({
     picture: pictureRows(screen),
     warnock: { ...values(warnock), ...(hasThreeLists(method) ? otherLists(warnock) : {}) },

@@ -1,6 +1,7 @@
+import { Effects, noneOfCommon, nothing } from '../replay/effects.js';
 import type { Screen } from '../replay/screen.js';
 import { corners as cornerNames } from '../trace/events.js';
-import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
+import type { Event, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Vertex } from '../trace/values.js';
 import { counted, isRoot, joinedBy, pushedApl, rejoined, wayTo } from './lists.js';
@@ -93,17 +94,6 @@ export const emptyWarnock: Warnock = {
   last: { ...nothingFound, count: 0, hasSurround: false, insider: false },
 };
 
-type Name = keyof (CommonEvents & WarnockEvents);
-type Handler<K extends EventName> = (
-  event: Event<K>,
-  now: Warnock,
-  screen: Screen,
-) => Partial<Warnock>;
-type Handlers = { readonly [K in Name]: Handler<K> };
-
-const unchanged: Partial<Warnock> = {};
-const nothing = (): Partial<Warnock> => unchanged;
-
 function sameWindow(a: Box, b: Box): boolean {
   return a.every((value, i) => value === b[i]);
 }
@@ -119,128 +109,191 @@ function currentClip(now: Warnock): Clip {
   return now.clip;
 }
 
-function keep({ vertex }: { readonly vertex: Vertex }, now: Warnock): Partial<Warnock> {
-  const clip = currentClip(now);
-  return { clip: { ...clip, next: [...clip.next, vertex] } };
-}
+/** Findings outlive their window. */
+const kept = ['last'] as const;
+const ofWindow = ['corners', 'k', 'count', 'hasSurround', 'color', 'insider'] as const;
 
-const handlers: Handlers = {
-  plane: nothing,
-  call: nothing,
-  depth: ({ at, z }, { depths }) =>
-    at === 'PW5' || at === 'HP3'
-      ? { depths: [...(depths.length < 4 ? depths : []), z] }
-      : unchanged,
-  fault: nothing,
-  disagree: nothing,
-  push: (event, now, screen) => {
-    event.apl?.forEach(([id]) => screen.polygon(id));
-    const { window } = event;
-    const stack = [...now.stack, { window, apl: pushedApl(event, now) }];
-    const root = isRoot(event) ? window : (now.root ?? window);
-    screen.divide(window, root);
-    return { stack, root };
+/** Windows on the stack may share a list of active polygons. */
+const list = { changes: ['apl', 'stack'], needs: ['apl'] } as const;
+const joining = { changes: ['apl', 'stack', 'joined'], needs: ['apl', 'joined'] } as const;
+const vertex = { changes: ['clip'], needs: ['clip'] } as const;
+const painting = { changes: ['picture'], needs: [] } as const;
+
+const keeping = {
+  ...vertex,
+  does: (event: { readonly vertex: Vertex }, now: Warnock): Partial<Warnock> => {
+    const clip = currentClip(now);
+    return { clip: { ...clip, next: [...clip.next, event.vertex] } };
+  },
+};
+
+export const effects = new Effects<keyof WarnockEvents, Warnock, Screen>({
+  ...noneOfCommon,
+  depth: {
+    changes: ['depths'],
+    does: ({ at, z }, { depths }) =>
+      at === 'PW5' || at === 'HP3'
+        ? { depths: [...(depths.length < 4 ? depths : []), z] }
+        : undefined,
+  },
+
+  push: {
+    changes: ['stack', 'root', 'division'],
+    reads: ['apl'],
+    needs: ['apl'],
+    does: (event, now, screen) => {
+      event.apl?.forEach(([id]) => screen.polygon(id));
+      const { window } = event;
+      const stack = [...now.stack, { window, apl: pushedApl(event, now) }];
+      const root = isRoot(event) ? window : (now.root ?? window);
+      screen.divide(window, root);
+      return { stack, root };
+    },
   },
   skip: nothing,
-  pop: ({ window }, now) => {
-    const { stack } = now;
-    const top = stack.at(-1);
-    if (top === undefined) throw new Refusal('', 'emptyStack');
-    if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
-    const found = { ...nothingFound, nearest: null, covering: null };
-    return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
+  pop: {
+    changes: ['stack', 'way'],
+    sets: ['window', 'apl', 'nearest', 'covering', ...ofWindow],
+    reads: ['window'],
+    needs: ['stack'],
+    does: ({ window }, now) => {
+      const { stack } = now;
+      const top = stack.at(-1);
+      if (top === undefined) throw new Refusal('', 'emptyStack');
+      if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
+      const found = { ...nothingFound, nearest: null, covering: null };
+      return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
+    },
   },
-  corners: ({ z }, now) => ({
-    ...finding(
-      {
-        corners: { lb: z, lt: z, rb: z, rt: z },
-        k: null,
-        count: 0,
-        hasSurround: false,
-        color: null,
-        insider: false,
-      },
-      now,
-    ),
-    covering: null,
-    depths: [],
-  }),
+  corners: {
+    sets: [...ofWindow, 'covering', 'depths', ...kept],
+    does: ({ z }, now) => ({
+      ...finding(
+        {
+          corners: { lb: z, lt: z, rb: z, rt: z },
+          k: null,
+          count: 0,
+          hasSurround: false,
+          color: null,
+          insider: false,
+        },
+        now,
+      ),
+      covering: null,
+      depths: [],
+    }),
+  },
   box: nothing,
   // The current list handles removed and marked polygons.
-  discard: nothing,
-  count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
+  discard: list,
+  count: {
+    sets: ['count', 'depths'],
+    changes: kept,
+    does: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
+  },
   compare: nothing,
-  nearer: ({ corners, k }, now) => {
-    const depths: Partial<Record<Corner, N>> = {};
-    for (const corner of corners) {
-      const z = now.depths[cornerNames.indexOf(corner)];
-      if (z === undefined) throw new Refusal('corners', 'noDepths');
-      depths[corner] = z;
-    }
-    if (now.corners === null) throw new Refusal('', 'noWindow');
-    return finding({ k, corners: { ...now.corners, ...depths } }, now);
+  nearer: {
+    changes: ['corners', ...kept],
+    sets: ['k'],
+    reads: ['depths'],
+    needs: ['corners', 'depths'],
+    does: ({ corners, k }, now) => {
+      const depths: Partial<Record<Corner, N>> = {};
+      for (const corner of corners) {
+        const z = now.depths[cornerNames.indexOf(corner)];
+        if (z === undefined) throw new Refusal('corners', 'noDepths');
+        depths[corner] = z;
+      }
+      if (now.corners === null) throw new Refusal('', 'noWindow');
+      return finding({ k, corners: { ...now.corners, ...depths } }, now);
+    },
   },
-  uncover: (_event, now) => ({ ...finding({ hasSurround: false }, now), covering: null }),
+  uncover: {
+    sets: ['hasSurround', 'covering'],
+    changes: kept,
+    does: (_event, now) => ({ ...finding({ hasSurround: false }, now), covering: null }),
+  },
   surround: nothing,
-  mark: nothing,
-  cover: ({ polygon, color }, now) => ({
-    ...finding({ hasSurround: true, color }, now),
-    covering: polygon,
-  }),
-  insider: ({ inside }, now) => finding({ insider: inside }, now),
-  summary: ({ count, hasSurround, color = null, insider }, now) =>
-    finding({ count, hasSurround, color, insider }, now),
+  mark: list,
+  cover: {
+    sets: ['hasSurround', 'covering', 'color'],
+    changes: kept,
+    does: ({ polygon, color }, now) => ({
+      ...finding({ hasSurround: true, color }, now),
+      covering: polygon,
+    }),
+  },
+  insider: {
+    sets: ['insider'],
+    changes: kept,
+    does: ({ inside }, now) => finding({ insider: inside }, now),
+  },
+  summary: {
+    sets: ['count', 'hasSurround', 'color', 'insider'],
+    changes: kept,
+    does: ({ count, hasSurround, color = null, insider }, now) =>
+      finding({ count, hasSurround, color, insider }, now),
+  },
   decide: nothing,
-  fill: ({ rect, color }, _now, screen) => {
-    screen.paint(rect[0], rect[1], rect[2], rect[3], color);
-    return unchanged;
+  fill: {
+    ...painting,
+    does: ({ rect, color }, _now, screen) => {
+      screen.paint(rect[0], rect[1], rect[2], rect[3], color);
+      return undefined;
+    },
   },
-  nearest: ({ polygon, z }) => ({ nearest: { polygon, z } }),
-  color: ({ color }, now) => finding({ color }, now),
+  nearest: { sets: ['nearest'], does: ({ polygon, z }) => ({ nearest: { polygon, z } }) },
+  color: { sets: ['color'], changes: kept, does: ({ color }, now) => finding({ color }, now) },
   orient: nothing,
-  clip_begin: ({ polygon }, _now, screen) => ({
-    clip: { vertices: screen.polygon(polygon).vertices, next: [] },
-  }),
-  clip_side: (_event, now) => ({ clip: { ...currentClip(now), next: [] } }),
-  clip_sign: nothing,
-  clip_cross: keep,
-  clip_keep: keep,
-  clip_drop: nothing,
-  clip_list: ({ count }, now) => {
-    const { next } = currentClip(now);
-    if (next.length !== count) {
-      throw new Refusal('count', 'clipCount', String(count), String(next.length));
-    }
-    return { clip: { vertices: next, next: [] } };
+  clip_begin: {
+    sets: ['clip'],
+    does: ({ polygon }, _now, screen) => ({
+      clip: { vertices: screen.polygon(polygon).vertices, next: [] },
+    }),
   },
-  clip_result: () => ({ clip: null }),
+  clip_side: { ...vertex, does: (_event, now) => ({ clip: { ...currentClip(now), next: [] } }) },
+  clip_sign: nothing,
+  clip_cross: keeping,
+  clip_keep: keeping,
+  clip_drop: nothing,
+  clip_list: {
+    ...vertex,
+    does: ({ count }, now) => {
+      const { next } = currentClip(now);
+      if (next.length !== count) {
+        throw new Refusal('count', 'clipCount', String(count), String(next.length));
+      }
+      return { clip: { vertices: next, next: [] } };
+    },
+  },
+  clip_result: { sets: ['clip'], does: () => ({ clip: null }) },
   row: nothing,
-  draw: ({ runs, color }, _now, screen) => {
-    for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
-    return unchanged;
+  draw: {
+    ...painting,
+    does: ({ runs, color }, _now, screen) => {
+      for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
+      return undefined;
+    },
   },
 
   back_face: nothing,
-  rejoin: rejoined,
-  join: joinedBy,
-  relation: () => ({ contained: [] }),
+  rejoin: { ...joining, does: rejoined },
+  join: { ...joining, does: joinedBy },
+  relation: { sets: ['contained'], does: () => ({ contained: [] }) },
   trial: nothing,
-  meets: () => ({ contained: [] }),
-  ray: counted,
+  meets: { sets: ['contained'], does: () => ({ contained: [] }) },
+  ray: { changes: ['contained'], does: counted },
   crossings: nothing,
-  octants: counted,
+  octants: { changes: ['contained'], does: counted },
   angle: nothing,
-  hiding: ({ polygon }, now) => ({
-    ...finding({ hasSurround: polygon !== undefined }, now),
-    covering: polygon ?? null,
-  }),
+  hiding: {
+    sets: ['hasSurround', 'covering'],
+    changes: kept,
+    does: ({ polygon }, now) => ({
+      ...finding({ hasSurround: polygon !== undefined }, now),
+      covering: polygon ?? null,
+    }),
+  },
   split_vertex: nothing,
   edge_depth: nothing,
-};
-
-/** The state after an event of this method. */
-export function afterWarnock(event: Event, now: Warnock, screen: Screen): Warnock {
-  const handler = handlers[event.e as Name] as Handler<EventName>;
-  const news = handler(event, now, screen);
-  return news === unchanged ? now : { ...now, ...news };
-}
+});

@@ -38,10 +38,10 @@ defineAlgorithm(['weiler-atherton'], {
     { name: 'region', at: ['show'] },
   ],
   watch: (pixel) => new RegionWatch(pixel),
-  heading({ regions }, event) {
+  heading({ weilerAtherton }, event) {
     // Once regions are painted no list is current.
     if (event.e === 'paint' || event.e === 'order') return event.polygon;
-    return regions?.inHand?.pieces[0]?.[0] ?? null;
+    return weilerAtherton?.inHand?.pieces[0]?.[0] ?? null;
   },
   why: ({ event }) =>
     event.e === 'paint'

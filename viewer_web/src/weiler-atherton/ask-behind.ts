@@ -21,7 +21,7 @@ export const behind: Asker<'behind'> = {
   ask(trace, step) {
     if (eventAt(trace, step, 'call')?.of !== 'RemoveBehind') return null;
     const result = nextOf(trace, step, 'nearer_ones', 'pop_list');
-    const { inHand = null } = trace.timeline.seek(step).values.regions ?? {};
+    const { inHand = null } = trace.timeline.seek(step).values.weilerAtherton ?? {};
     const clip = inHand?.pieces[0];
     if (result === null || inHand === null || clip === undefined) return null;
     const parts = inHand.inside.filter(([, , ground]) => !ground);

@@ -37,7 +37,7 @@ export const parted: Asker<'parted'> = {
   at: ['pop_list'],
   ask(trace, step) {
     const end = nextOf(trace, step, 'nearer_ones', 'pop_list');
-    const [clip, ...others] = trace.timeline.seek(step).values.regions?.inHand?.pieces ?? [];
+    const [clip, ...others] = trace.timeline.seek(step).values.weilerAtherton?.inHand?.pieces ?? [];
     if (end === null || clip === undefined) return null;
     const clipped = stepsOf(trace, step, end.step, 'clipped');
     const beside = stepsOf(trace, step, end.step, 'beside');

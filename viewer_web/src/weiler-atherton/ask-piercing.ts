@@ -17,7 +17,7 @@ export const piercing: Asker<'piercing'> = {
     if (result === null) return null;
     const until = result.step;
     const looked = stepsOf(trace, step, until, 'clipped');
-    const ids = ownersOf(trace.timeline.seek(step).values.regions?.facets ?? []);
+    const ids = ownersOf(trace.timeline.seek(step).values.weilerAtherton?.facets ?? []);
     const { length } = result.event.pieces;
     if (looked.length === 0 || ids.length > mostOptions || length > ids.length + mostMore) {
       return null;

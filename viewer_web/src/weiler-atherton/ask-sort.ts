@@ -18,7 +18,7 @@ export const sort: Asker<'sort'> = {
   ask(trace, step) {
     if (eventAt(trace, step, 'call')?.of !== 'DepthSort') return null;
     const sorted = nextOf(trace, step, 'sorted');
-    const facets = trace.timeline.seek(step).values.regions?.facets ?? [];
+    const facets = trace.timeline.seek(step).values.weilerAtherton?.facets ?? [];
     // The event names only polygons; the list made from them contains the piece.
     const first = sorted && eventAt(trace, sorted.step + 1, 'push_list')?.pieces[0];
     if (sorted === null || first == null) return null;

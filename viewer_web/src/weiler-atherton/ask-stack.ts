@@ -11,7 +11,7 @@ export const stack: Asker<'stack'> = {
   ask(trace, step) {
     const nearer = eventAt(trace, step, 'nearer_ones');
     const pop = nextOf(trace, step, 'pop_list');
-    const { lists = [], inHand = null } = trace.timeline.seek(step).values.regions ?? {};
+    const { lists = [], inHand = null } = trace.timeline.seek(step).values.weilerAtherton ?? {};
     const clip = inHand?.pieces[0];
     if (nearer === null || pop === null || inHand === null || clip === undefined) return null;
     const ids = ownersOf([...inHand.inside, clip, ...lists.flat()]);

@@ -4,28 +4,29 @@ import { mostOptions } from '../predict/asker.js';
 import type { Fact } from '../predict/facts.js';
 import type { Piece } from './events.js';
 import { ownersOf } from './pieces.js';
-import { emptyRegions } from './state.js';
-import type { Regions } from './state.js';
+import { emptyWeilerAtherton } from './state.js';
+import type { WeilerAtherton } from './state.js';
 
 /** The current list, or before the first one the pieces to sort. */
-const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.pieces ?? facets;
+const piecesOf = ({ inHand, facets }: WeilerAtherton): readonly Piece[] => inHand?.pieces ?? facets;
 
 /** The pieces with their outlines in walking order, and the polygons of the other lists from the top of the stack. */
-export function facts({ after: { regions }, texts: page, language }: View): readonly Fact[] {
-  if (regions === undefined) return [];
+export function facts({ after, texts: page, language }: View): readonly Fact[] {
+  const now = after.weilerAtherton;
+  if (now === undefined) return [];
   const { regions: say, numbers } = texts[language];
-  const pieces = piecesOf(regions);
+  const pieces = piecesOf(now);
   const listed = pieces.slice(0, mostOptions).map(([id, region, ground]) => {
     const loops = region.map((loop) => loop.map(numbers.point).join(' ')).join(' / ');
     return `${id}${ground ? ` (${say.ground})` : ''}: ${loops}`;
   });
   const others = pieces.length > mostOptions ? [page.more(pieces.length - mostOptions)] : [];
-  const lists = [...regions.lists].reverse().map((list) => list.map(([id]) => id).join(', '));
+  const lists = [...now.lists].reverse().map((list) => list.map(([id]) => id).join(', '));
   return [
-    [regions.inHand === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
+    [now.inHand === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
     [say.lists, lists.join('; ') || '∅'],
   ];
 }
 
 export const polygonsAsked = ({ after }: View): readonly string[] =>
-  ownersOf(piecesOf(after.regions ?? emptyRegions));
+  ownersOf(piecesOf(after.weilerAtherton ?? emptyWeilerAtherton));

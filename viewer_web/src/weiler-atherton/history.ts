@@ -7,26 +7,29 @@ import type { Pixel } from '../picture/pixel.js';
 import { all } from '../replay/wanted.js';
 import type { Wanted } from '../replay/wanted.js';
 import { eventNames } from '../trace/events.js';
-import type { EventName, RegionEvents, Event } from '../trace/events.js';
+import type { EventName, WeilerAthertonEvents, Event } from '../trace/events.js';
 import type { Piece, Region } from './events.js';
 import { holds } from './geometry.js';
-import { afterRegions, emptyRegions } from './state.js';
-import type { Regions } from './state.js';
+import { effects, emptyWeilerAtherton } from './state.js';
+import type { WeilerAtherton } from './state.js';
 
 /** The pixel, and the data known before the event. */
 interface Place {
   readonly pixel: Pixel;
   readonly centre: Spot;
-  readonly before: Regions;
+  readonly before: WeilerAtherton;
 }
 
 const isOver = (region: Region, { centre }: Place): boolean => holds(region, centre);
 const isAnyOver = (pieces: readonly Piece[], place: Place): boolean =>
   pieces.some(([, region]) => isOver(region, place));
 
-type Judge<K extends keyof RegionEvents> = (event: RegionEvents[K], place: Place) => Outcome | null;
+type Judge<K extends keyof WeilerAthertonEvents> = (
+  event: WeilerAthertonEvents[K],
+  place: Place,
+) => Outcome | null;
 
-const judges: { readonly [K in keyof RegionEvents]?: Judge<K> } = {
+const judges: { readonly [K in keyof WeilerAthertonEvents]?: Judge<K> } = {
   cut_to_area: ({ region }, place) => noted(isOver(region, place)),
   split: ({ region, other }, place) => noted(isOver(region, place) || isOver(other, place)),
   pop_list: (_event, place) => noted(isAnyOver(place.before.lists.at(-1) ?? [], place)),
@@ -65,7 +68,7 @@ export class RegionWatch implements Watch {
   readonly wanted = wanted;
   private readonly pixel: Pixel;
   private readonly centre: Spot;
-  private regions = emptyRegions;
+  private regions = emptyWeilerAtherton;
   private toldAt = 0;
 
   constructor(pixel: Pixel) {
@@ -74,21 +77,29 @@ export class RegionWatch implements Watch {
   }
 
   get known(): Known {
-    return { regions: this.regions };
+    return { weilerAtherton: this.regions };
   }
 
   see(event: Event, step: number): Outcome | null {
     const before = this.regions;
-    this.regions = afterRegions(event, before, nothingPainted);
+    this.regions = effects.after(event, before, nothingPainted);
     const outcome = this.judge(event, step, before);
     if (outcome !== null) this.toldAt = step;
     return outcome;
   }
 
-  private judge(event: Event, step: number, before: Regions): Outcome | null {
+  private judge(event: Event, step: number, before: WeilerAtherton): Outcome | null {
     const { pixel, centre } = this;
     if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
-    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof RegionEvents>>>>)[event.e];
-    return judge?.(event as RegionEvents[keyof RegionEvents], { pixel, centre, before }) ?? null;
+    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof WeilerAthertonEvents>>>>)[
+      event.e
+    ];
+    return (
+      judge?.(event as WeilerAthertonEvents[keyof WeilerAthertonEvents], {
+        pixel,
+        centre,
+        before,
+      }) ?? null
+    );
   }
 }

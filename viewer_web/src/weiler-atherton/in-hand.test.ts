@@ -27,6 +27,6 @@ it.each(['windows', 'polygons', 'signs'])(
     );
     expect(looks).not.toContain('clip-region');
     // The program's variable keeps the last list, and so do the states of a trace.
-    expect(ofPainting.every(({ after }) => after.regions?.inHand !== null)).toBe(true);
+    expect(ofPainting.every(({ after }) => after.weilerAtherton?.inHand !== null)).toBe(true);
   },
 );

@@ -11,4 +11,4 @@ export const isPainting = ({ event, after }: Pick<View, 'event' | 'after'>): boo
 
 /** The list that the step processes. The program's variables keep the last one to the end. */
 export const listInHand = (view: Pick<View, 'event' | 'after'>): ListInHand | null =>
-  isPainting(view) ? null : (view.after.regions?.inHand ?? null);
+  isPainting(view) ? null : (view.after.weilerAtherton?.inHand ?? null);

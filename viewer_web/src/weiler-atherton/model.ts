@@ -1,10 +1,9 @@
 import { pictureRows } from '../replay/canonical.js';
 import { ValueInHand, defineModel } from '../replay/model.js';
-import { afterRegions, emptyRegions } from './state.js';
-import type { Regions } from './state.js';
-import { uses } from './uses.js';
+import { effects, emptyWeilerAtherton } from './state.js';
+import type { WeilerAtherton } from './state.js';
 
-const values = ({ lists, inHand, facets, visible }: Regions): object => ({
+const values = ({ lists, inHand, facets, visible }: WeilerAtherton): object => ({
   lists,
   list: inHand && { pieces: inHand.pieces, inside: inHand.inside, outside: inHand.outside },
   facets,
@@ -13,14 +12,14 @@ const values = ({ lists, inHand, facets, visible }: Regions): object => ({
 
 defineModel(['weiler-atherton'], {
   begin: () =>
-    new ValueInHand('regions', emptyRegions, (event, now, { screen }) =>
-      afterRegions(event, now, screen),
+    new ValueInHand('weilerAtherton', emptyWeilerAtherton, (event, now, { screen }) =>
+      effects.after(event, now, screen),
     ),
-  uses,
-  compared: ({ held: { regions = emptyRegions }, screen }) => ({
+  uses: effects.uses,
+  compared: ({ held: { weilerAtherton = emptyWeilerAtherton }, screen }) => ({
     picture: pictureRows(screen),
     warnock: null,
     zbuffer: null,
-    weilerAtherton: values(regions),
+    weilerAtherton: values(weilerAtherton),
   }),
 });

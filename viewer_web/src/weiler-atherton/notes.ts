@@ -1,6 +1,6 @@
 import { compared, half } from '../listing/notation.js';
 import type { Notes } from '../listing/notes.js';
-import type { RegionEvents } from '../trace/events.js';
+import type { WeilerAthertonEvents } from '../trace/events.js';
 import type { Region } from './events.js';
 import { verticesOf } from './geometry.js';
 
@@ -10,7 +10,7 @@ const sized = (region: Region): string => (region.length === 0 ? '∅' : `|${ver
  * The notes of the events of Weiler and Atherton's algorithm, in the notation of the listing; |n| is a region of n
  * vertices.
  */
-export const notes: Pick<Notes, keyof RegionEvents> = {
+export const notes: Pick<Notes, keyof WeilerAthertonEvents> = {
   row: ({ first, end }, numbers) => half([first, end], numbers),
   cut_to_area: ({ polygon, region }) => `${polygon}: ${sized(region)}`,
   pierce: ({ polygon, other }) => `${polygon}, ${other}`,

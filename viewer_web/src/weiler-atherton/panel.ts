@@ -16,8 +16,8 @@ import { areaOf } from './geometry.js';
 import { isPainting, listInHand } from './in-hand.js';
 import { regionsPanelStyle } from './panel.style.js';
 import { sized } from './sizes.js';
-import { emptyRegions } from './state.js';
-import type { List, ListInHand, Regions } from './state.js';
+import { emptyWeilerAtherton } from './state.js';
+import type { List, ListInHand, WeilerAtherton } from './state.js';
 
 /**
  * The state of Weiler and Atherton's algorithm: the current list and its parts, the visible regions, and the stack of
@@ -33,12 +33,12 @@ export class RegionsPanel extends LitElement {
     return texts[this.view.language].regions;
   }
 
-  private get now(): Regions {
-    return this.view.after.regions ?? emptyRegions;
+  private get now(): WeilerAtherton {
+    return this.view.after.weilerAtherton ?? emptyWeilerAtherton;
   }
 
-  private get old(): Regions {
-    return this.view.before.regions ?? emptyRegions;
+  private get old(): WeilerAtherton {
+    return this.view.before.weilerAtherton ?? emptyWeilerAtherton;
   }
 
   private get hand(): ListInHand | null {

@@ -22,7 +22,7 @@ export function clippingAt(trace: Trace, step: number): Clipping | null {
   const call = eventAt(trace, step, 'call');
   if (call?.of !== 'RegionClip' || call.at !== 'WA5') return null;
   const result = nextOf(trace, step, 'clipped', 'pop_list');
-  const clip = trace.timeline.seek(step).values.regions?.inHand?.pieces[0];
+  const clip = trace.timeline.seek(step).values.weilerAtherton?.inHand?.pieces[0];
   if (result === null || clip === undefined) return null;
   const outline = stepsOf(trace, step, result.step, 'edge_piece').map(({ event }) => event);
   return { clip, outline, result };

@@ -2,7 +2,7 @@ import { commonSentences } from '../algorithm/common-sentences.js';
 import type { SentencesOf } from '../language/texts.js';
 import { cells } from '../language/words.js';
 import type { Words } from '../language/words.js';
-import type { RegionEvents } from '../trace/events.js';
+import type { WeilerAthertonEvents } from '../trace/events.js';
 import { isOpenOutline } from './events.js';
 import type { Region } from './events.js';
 import { verticesOf } from './geometry.js';
@@ -38,7 +38,7 @@ const openOutline = {
 
 const ofPieces = { one: 'части', few: 'частей', other: 'частей' };
 
-export const sentences: SentencesOf<keyof RegionEvents | 'fault'> = {
+export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
   fault: {
     en: (event, words) =>
       isOpenOutline(event.at) ? openOutline.en : commonSentences.fault.en(event, words),
@@ -130,14 +130,14 @@ export const sentences: SentencesOf<keyof RegionEvents | 'fault'> = {
   },
   beside: {
     en: ({ polygon }, words) => {
-      const { pieces: all = [], seen = 0 } = words.after.regions?.inHand ?? {};
+      const { pieces: all = [], seen = 0 } = words.after.weilerAtherton?.inHand ?? {};
       const [piece, clip] = [all[seen - 1], all[0]];
       if (piece === undefined || clip === undefined) return `${polygon} lies outside.`;
       const box = boxOf(piece[1], words);
       return `The box of ${polygon}${box && `${box},`} lies beside that of ${clip[0]}${boxOf(clip[1], words)}: all of the piece is outside.`;
     },
     ru: ({ polygon }, words) => {
-      const { pieces: all = [], seen = 0 } = words.after.regions?.inHand ?? {};
+      const { pieces: all = [], seen = 0 } = words.after.weilerAtherton?.inHand ?? {};
       const [piece, clip] = [all[seen - 1], all[0]];
       if (piece === undefined || clip === undefined) return `${polygon} лежит снаружи.`;
       const box = boxOf(piece[1], words);
@@ -202,13 +202,14 @@ export const sentences: SentencesOf<keyof RegionEvents | 'fault'> = {
   },
   nearer_ones: {
     en: ({ polygons }, words) => {
-      const clip = words.after.regions?.inHand?.pieces[0]?.[0] ?? 'the clip polygon';
+      const clip = words.after.weilerAtherton?.inHand?.pieces[0]?.[0] ?? 'the clip polygon';
       return polygons.length === 0
         ? `Nothing inside is nearer than ${clip}: the rest inside is dropped.`
         : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not what shows first.`;
     },
     ru: ({ polygons }, words) => {
-      const clip = words.after.regions?.inHand?.pieces[0]?.[0] ?? 'отсекающего многоугольника';
+      const clip =
+        words.after.weilerAtherton?.inHand?.pieces[0]?.[0] ?? 'отсекающего многоугольника';
       return polygons.length === 0
         ? `Внутри нет ничего ближе ${clip}: остальное внутри отбрасывается.`
         : `Ближе ${clip}: ${words.ids(polygons)}. Значит, первым виден не ${clip}.`;

@@ -11,8 +11,8 @@ import type { Piece, Region } from './events.js';
 import { hatchData, regionData } from './geometry.js';
 import { listInHand } from './in-hand.js';
 import type { RegionLayer } from './layers.js';
-import { emptyRegions } from './state.js';
-import type { Crossings, List, Regions } from './state.js';
+import { emptyWeilerAtherton } from './state.js';
+import type { Crossings, List, WeilerAtherton } from './state.js';
 
 /** CSS pixels: the size of the mark of a crossing, and the distance between hatching lines. */
 const crossingSize = 6;
@@ -29,7 +29,7 @@ const casing = (look: string, d: string): readonly Shape[] => [
 ];
 
 /** Whether there is a list. Before that, the polygons themselves are drawn. */
-const isBegun = ({ lists, inHand }: Regions): boolean => lists.length > 0 || inHand !== null;
+const isBegun = ({ lists, inHand }: WeilerAtherton): boolean => lists.length > 0 || inHand !== null;
 
 /** The piece that is being processed, or that the step has divided into inside and outside. */
 function subjectOf(view: View): Piece | undefined {
@@ -45,7 +45,7 @@ const inClip: readonly EventName[] = ['call', 'edge_piece', 'entering', 'leaving
 /** The crossings of the current clipping, or of the one that the step ended. */
 function crossingsOf({ before, after, event }: View): Crossings {
   const isEnd = event?.e === 'clipped' || event?.e === 'cut_to_area';
-  return ((isEnd ? before.regions : after.regions) ?? emptyRegions).crossings;
+  return ((isEnd ? before.weilerAtherton : after.weilerAtherton) ?? emptyWeilerAtherton).crossings;
 }
 
 function crossingShapes(look: keyof typeof crossingData, at: readonly Point[], r: number): Shape {
@@ -74,7 +74,7 @@ type Draw = (view: View, frame: Frame) => readonly Shape[];
 
 const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>> = {
   list: (view) => {
-    const regions = view.after.regions ?? emptyRegions;
+    const regions = view.after.weilerAtherton ?? emptyWeilerAtherton;
     if (!isBegun(regions)) return [{ look: 'facet', d: outlines(regions.facets) }];
     const inHand = listInHand(view);
     const clip = inHand?.pieces[0];
@@ -143,7 +143,7 @@ export function visibleShapes(
   shown: ReadonlySet<RegionLayer>,
 ): readonly Shape[] {
   if (!shown.has('visible')) return [];
-  return (after.regions ?? emptyRegions).visible.map(([id, region]) => ({
+  return (after.weilerAtherton ?? emptyWeilerAtherton).visible.map(([id, region]) => ({
     look: 'shown',
     d: regionData(region),
     fill: colorOf(scene, id),
@@ -159,7 +159,7 @@ export function regionShapes(
   shown: ReadonlySet<RegionLayer>,
 ): readonly Shape[] {
   const { event, after, header } = view;
-  const { piercing } = after.regions ?? emptyRegions;
+  const { piercing } = after.weilerAtherton ?? emptyWeilerAtherton;
   const line =
     piercing === null ? '' : lineThrough(piercing.point, piercing.normal, header.scene.area);
   return [

@@ -54,8 +54,8 @@ const nearerOnes: Event = { e: 'nearer_ones', at: 'WA7', polygons: [] };
 describe('the state of Weiler and Atherton’s algorithm', () => {
   it('pops a list from the stack and divides its pieces', async () => {
     const { timeline } = await traceOf(textWith(header, [push, pop, call, clipped]));
-    expect(timeline.seek(1).values.regions?.lists).toHaveLength(1);
-    const { lists, inHand } = timeline.seek(4).values.regions ?? {};
+    expect(timeline.seek(1).values.weilerAtherton?.lists).toHaveLength(1);
+    const { lists, inHand } = timeline.seek(4).values.weilerAtherton ?? {};
     expect(lists).toEqual([]);
     expect(inHand).toMatchObject({
       inside: [['A', near, false]],
@@ -70,13 +70,13 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
   ] as const)('leaves of the parts inside what is not %s', async (_name, is, left) => {
     const events = [push, pop, call, clipped, remove, behind(is), nearerOnes];
     const { timeline } = await traceOf(textWith(header, events));
-    expect(timeline.seek(7).values.regions?.inHand?.inside).toEqual(left);
+    expect(timeline.seek(7).values.weilerAtherton?.inHand?.inside).toEqual(left);
   });
 
   it('puts a piece outside by its bounding box alone', async () => {
     const beside: Event = { e: 'beside', at: 'WA5', polygon: 'A' };
     const { timeline } = await traceOf(textWith(header, [push, pop, beside]));
-    expect(timeline.seek(3).values.regions?.inHand).toMatchObject({
+    expect(timeline.seek(3).values.weilerAtherton?.inHand).toMatchObject({
       inside: [],
       outside: [['A', far, false]],
     });
@@ -86,11 +86,14 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
     const enter: Event = { e: 'entering', at: 'RC3', point: [2, 2] };
     const leave: Event = { e: 'leaving', at: 'RC3', point: [4, 4] };
     const { timeline } = await traceOf(textWith(header, [push, pop, call, enter, leave, clipped]));
-    expect(timeline.seek(5).values.regions?.crossings).toEqual({
+    expect(timeline.seek(5).values.weilerAtherton?.crossings).toEqual({
       entering: [[2, 2]],
       leaving: [[4, 4]],
     });
-    expect(timeline.seek(6).values.regions?.crossings).toEqual({ entering: [], leaving: [] });
+    expect(timeline.seek(6).values.weilerAtherton?.crossings).toEqual({
+      entering: [],
+      leaving: [],
+    });
   });
 
   it.each([

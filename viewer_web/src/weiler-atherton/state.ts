@@ -1,17 +1,18 @@
-import type { Event, RegionEvents } from '../trace/events.js';
+import { Effects, noneOfCommon, nothing } from '../replay/effects.js';
+import type { WeilerAthertonEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Point } from '../trace/values.js';
 import type { Piece, Region } from './events.js';
 
 declare module '../replay/model.js' {
   interface Held {
-    readonly regions?: Regions;
+    readonly weilerAtherton?: WeilerAtherton;
   }
 }
 
 declare module '../language/words.js' {
   interface Known {
-    readonly regions?: Pick<Regions, 'inHand'>;
+    readonly weilerAtherton?: Pick<WeilerAtherton, 'inHand'>;
   }
 }
 
@@ -35,7 +36,7 @@ export interface Crossings {
 }
 
 /** The state of Weiler and Atherton's algorithm. */
-export interface Regions {
+export interface WeilerAtherton {
   /** The stack, from bottom to top. */
   readonly lists: readonly List[];
   readonly inHand: ListInHand | null;
@@ -43,12 +44,12 @@ export interface Regions {
   readonly visible: List;
   readonly crossings: Crossings;
   /** The two polygons that are being split, and the line of the split. */
-  readonly piercing: RegionEvents['pierce'] | null;
+  readonly piercing: WeilerAthertonEvents['pierce'] | null;
 }
 
 const noCrossings: Crossings = { entering: [], leaving: [] };
 
-export const emptyRegions: Regions = {
+export const emptyWeilerAtherton: WeilerAtherton = {
   lists: [],
   inHand: null,
   facets: [],
@@ -62,19 +63,10 @@ interface Canvas {
   paint(x: number, y: number, width: number, height: number, color: string): void;
 }
 
-type Handler<K extends Event['e']> = (
-  event: Event<K>,
-  now: Regions,
-  canvas: Canvas,
-) => Partial<Regions>;
-
-const unchanged: Partial<Regions> = {};
-const nothing = (): Partial<Regions> => unchanged;
-
 const isEmpty = (region: Region): boolean => region.length === 0;
 
 /** The current list. The next piece in it must be of this polygon. */
-function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, Piece] {
+function handWith(polygon: string, { inHand }: WeilerAtherton): readonly [ListInHand, Piece] {
   if (inHand === null) throw new Refusal('', 'noListInHand');
   const next = inHand.pieces[inHand.seen];
   if (next?.[0] !== polygon) throw new Refusal('polygon', 'notNextPiece', polygon);
@@ -84,10 +76,10 @@ function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, P
 /** Records that a piece of the current list is inside, outside, or divided between both. */
 function parted(
   polygon: string,
-  now: Regions,
+  now: WeilerAtherton,
   inside: Region,
   outside: (whole: Region) => Region,
-): Partial<Regions> {
+): Partial<WeilerAtherton> {
   const [hand, [, whole, ground]] = handWith(polygon, now);
   const added = (list: List, part: Region): List =>
     isEmpty(part) ? list : [...list, [polygon, part, ground]];
@@ -101,67 +93,111 @@ function parted(
   };
 }
 
-const handlers: { readonly [K in keyof RegionEvents]: Handler<K> } = {
-  cut_to_area: ({ polygon, region }, { facets }) => ({
-    crossings: noCrossings,
-    facets: isEmpty(region) ? facets : [...facets, [polygon, region, false]],
-  }),
-  pierce: (event) => ({ piercing: event }),
+export const effects = new Effects<keyof WeilerAthertonEvents, WeilerAtherton, Canvas>({
+  ...noneOfCommon,
+  cut_to_area: {
+    changes: ['facets'],
+    sets: ['crossings'],
+    does: ({ polygon, region }, { facets }) => ({
+      crossings: noCrossings,
+      facets: isEmpty(region) ? facets : [...facets, [polygon, region, false]],
+    }),
+  },
+  pierce: { sets: ['piercing'], does: (event) => ({ piercing: event }) },
   split: nothing,
-  facets: ({ pieces }) => ({ facets: pieces, piercing: null }),
+  facets: {
+    sets: ['facets', 'piercing'],
+    does: ({ pieces }) => ({ facets: pieces, piercing: null }),
+  },
   greatest_depth: nothing,
   sorted: nothing,
-  push_list: ({ pieces }, { lists }) => ({ lists: [...lists, pieces] }),
-  pop_list: ({ clip, count }, { lists }) => {
-    const pieces = lists.at(-1);
-    if (pieces === undefined) throw new Refusal('', 'noList');
-    if (pieces[0]?.[0] !== clip || pieces.length !== count) throw new Refusal('clip', 'notTopList');
-    return {
-      lists: lists.slice(0, -1),
-      inHand: { pieces, seen: 1, inside: [], outside: [], behind: [] },
-    };
+  push_list: {
+    changes: ['lists'],
+    does: ({ pieces }, { lists }) => ({ lists: [...lists, pieces] }),
   },
-  beside: ({ polygon }, now) => parted(polygon, now, [], (whole) => whole),
+  pop_list: {
+    changes: ['lists'],
+    sets: ['inHand'],
+    needs: ['lists'],
+    does: ({ clip, count }, { lists }) => {
+      const pieces = lists.at(-1);
+      if (pieces === undefined) throw new Refusal('', 'noList');
+      if (pieces[0]?.[0] !== clip || pieces.length !== count) {
+        throw new Refusal('clip', 'notTopList');
+      }
+      return {
+        lists: lists.slice(0, -1),
+        inHand: { pieces, seen: 1, inside: [], outside: [], behind: [] },
+      };
+    },
+  },
+  beside: {
+    changes: ['inHand'],
+    needs: ['inHand'],
+    does: ({ polygon }, now) => parted(polygon, now, [], (whole) => whole),
+  },
   // SplitPiercing only examines the common part of two polygons.
-  clipped: ({ at, polygon, inside, outside }, now) => ({
-    ...(at === 'WA5' ? parted(polygon, now, inside, () => outside) : unchanged),
-    piercing: null,
-    crossings: noCrossings,
-  }),
+  clipped: {
+    changes: ['inHand'],
+    sets: ['piercing', 'crossings'],
+    needs: ['inHand'],
+    does: ({ at, polygon, inside, outside }, now) => ({
+      ...(at === 'WA5' ? parted(polygon, now, inside, () => outside) : {}),
+      piercing: null,
+      crossings: noCrossings,
+    }),
+  },
   edge_piece: nothing,
-  entering: ({ point }, { crossings }) => ({
-    crossings: { ...crossings, entering: [...crossings.entering, point] },
-  }),
-  leaving: ({ point }, { crossings }) => ({
-    crossings: { ...crossings, leaving: [...crossings.leaving, point] },
-  }),
-  behind: ({ behind }, { inHand }) => {
-    if (inHand === null) throw new Refusal('', 'noListInHand');
-    return { inHand: { ...inHand, behind: [...inHand.behind, behind] } };
+  entering: {
+    changes: ['crossings'],
+    does: ({ point }, { crossings }) => ({
+      crossings: { ...crossings, entering: [...crossings.entering, point] },
+    }),
   },
-  nearer_ones: (_event, { inHand }) => {
-    if (inHand === null) throw new Refusal('', 'noListInHand');
-    const asked = inHand.inside.filter(([, , ground]) => !ground);
-    const { behind } = inHand;
-    if (asked.length !== behind.length) {
-      throw new Refusal('', 'behindCount', String(behind.length), String(asked.length));
-    }
-    return {
-      inHand: { ...inHand, inside: asked.filter((_, i) => behind[i] !== true), behind: [] },
-    };
+  leaving: {
+    changes: ['crossings'],
+    does: ({ point }, { crossings }) => ({
+      crossings: { ...crossings, leaving: [...crossings.leaving, point] },
+    }),
   },
-  show: ({ polygon, region }, { visible }) => ({ visible: [...visible, [polygon, region, false]] }),
+  behind: {
+    changes: ['inHand'],
+    needs: ['inHand'],
+    does: ({ behind }, { inHand }) => {
+      if (inHand === null) throw new Refusal('', 'noListInHand');
+      return { inHand: { ...inHand, behind: [...inHand.behind, behind] } };
+    },
+  },
+  nearer_ones: {
+    changes: ['inHand'],
+    needs: ['inHand'],
+    does: (_event, { inHand }) => {
+      if (inHand === null) throw new Refusal('', 'noListInHand');
+      const asked = inHand.inside.filter(([, , ground]) => !ground);
+      const { behind } = inHand;
+      if (asked.length !== behind.length) {
+        throw new Refusal('', 'behindCount', String(behind.length), String(asked.length));
+      }
+      return {
+        inHand: { ...inHand, inside: asked.filter((_, i) => behind[i] !== true), behind: [] },
+      };
+    },
+  },
+  show: {
+    changes: ['visible'],
+    does: ({ polygon, region }, { visible }) => ({
+      visible: [...visible, [polygon, region, false]],
+    }),
+  },
   row: nothing,
   order: nothing,
-  paint: ({ color, runs }, _now, canvas) => {
-    for (const [row, first, end] of runs) canvas.paint(first, row, end - first, 1, color);
-    return unchanged;
+  paint: {
+    changes: ['picture'],
+    needs: [],
+    does: ({ color, runs }, _now, canvas) => {
+      for (const [row, first, end] of runs) canvas.paint(first, row, end - first, 1, color);
+      return undefined;
+    },
   },
   painted: nothing,
-};
-
-export function afterRegions(event: Event, now: Regions, canvas: Canvas): Regions {
-  const handle = (handlers as Readonly<Partial<Record<string, Handler<Event['e']>>>>)[event.e];
-  const change = handle?.(event, now, canvas) ?? unchanged;
-  return change === unchanged ? now : { ...now, ...change };
-}
+});

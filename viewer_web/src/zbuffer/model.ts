@@ -2,9 +2,8 @@ import { pictureRows } from '../replay/canonical.js';
 import { ValueInHand, defineModel } from '../replay/model.js';
 import type { Screen } from '../replay/screen.js';
 import type { Detail } from '../trace/events.js';
-import { afterZBuffer, emptyZBuffer } from './state.js';
+import { effects, emptyZBuffer } from './state.js';
 import type { ZBuffer } from './state.js';
-import { uses } from './uses.js';
 
 function values({ polygon, edges, ael, last }: ZBuffer): object {
   const { y, row, nextS, nextAel } = last;
@@ -27,9 +26,9 @@ function depthRows({ z }: Screen, detail: Detail): unknown {
 defineModel(['zbuffer'], {
   begin: () =>
     new ValueInHand('zbuffer', emptyZBuffer, (event, now, { screen }) =>
-      afterZBuffer(event, now, screen),
+      effects.after(event, now, screen),
     ),
-  uses,
+  uses: effects.uses,
   compared: ({ held: { zbuffer = emptyZBuffer }, screen, detail }) => ({
     picture: pictureRows(screen),
     warnock: null,

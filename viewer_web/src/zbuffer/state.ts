@@ -1,5 +1,6 @@
+import { Effects, noneOfCommon, nothing } from '../replay/effects.js';
 import type { Screen } from '../replay/screen.js';
-import type { CommonEvents, Event, EventName, ZBufferEvents } from '../trace/events.js';
+import type { ZBufferEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { N } from '../trace/values.js';
 
@@ -52,17 +53,6 @@ export const emptyZBuffer: ZBuffer = {
   last: notScanned,
 };
 
-type Name = keyof (CommonEvents & ZBufferEvents);
-type Handler<K extends EventName> = (
-  event: Event<K>,
-  now: ZBuffer,
-  screen: Screen,
-) => Partial<ZBuffer>;
-type Handlers = { readonly [K in Name]: Handler<K> };
-
-const unchanged: Partial<ZBuffer> = {};
-const nothing = (): Partial<ZBuffer> => unchanged;
-
 /** Records progress of the current polygon's scan. */
 const scanning = (news: Partial<Scanned>, { last }: ZBuffer): Partial<ZBuffer> => ({
   ...news,
@@ -109,67 +99,97 @@ function storeDepths(
   }
 }
 
-const handlers: Handlers = {
-  plane: nothing,
-  call: nothing,
-  depth: nothing,
-  fault: nothing,
-  disagree: nothing,
-  clear: ({ color, z }, _now, screen) => {
-    screen.clear(color, z);
-    return unchanged;
+/** The values of a scan outlive its polygon. */
+const kept = ['last'] as const;
+
+export const effects = new Effects<keyof ZBufferEvents, ZBuffer, Screen>({
+  ...noneOfCommon,
+  clear: {
+    sets: ['picture', 'z'],
+    does: ({ color, z }, _now, screen) => {
+      screen.clear(color, z);
+      return undefined;
+    },
   },
-  polygon: ({ polygon }, _now, screen) => {
-    screen.polygon(polygon);
-    return { polygon, edges: [], ael: [], ...notScanned };
+  polygon: {
+    sets: ['polygon', 'edges', 'ael', 'y', 'row', 'nextS', 'nextAel'],
+    does: ({ polygon }, _now, screen) => {
+      screen.polygon(polygon);
+      return { polygon, edges: [], ael: [], ...notScanned };
+    },
   },
-  edge: ({ edge }, { edges }) => ({ edges: [...edges, edge] }),
+  edge: { changes: ['edges'], does: ({ edge }, { edges }) => ({ edges: [...edges, edge] }) },
   extent: nothing,
-  scanline: ({ y, row }, now) => scanning({ y, row }, now),
-  ael_add: ({ edge, x, z, until, dx, dz }, { ael }) => {
-    if (ael.some((each) => each.edge === edge)) {
-      throw new Refusal('edge', 'twiceInAel', String(edge));
-    }
-    return { ael: [...ael, { edge, x, z, until, dx, dz }] };
+  scanline: {
+    sets: ['y', 'row'],
+    changes: kept,
+    does: ({ y, row }, now) => scanning({ y, row }, now),
+  },
+  ael_add: {
+    changes: ['ael'],
+    needs: ['ael'],
+    does: ({ edge, x, z, until, dx, dz }, { ael }) => {
+      if (ael.some((each) => each.edge === edge)) {
+        throw new Refusal('edge', 'twiceInAel', String(edge));
+      }
+      return { ael: [...ael, { edge, x, z, until, dx, dz }] };
+    },
   },
   horizontal: nothing,
-  leave: ({ edges, next }, now) => ({
-    edges: without(now.edges, edges, 'notInS'),
-    ...scanning({ nextS: next }, now),
-  }),
-  ael_sort: ({ edges, next }, now) => {
-    if (edges.length !== now.ael.length || new Set(edges).size !== edges.length) {
-      throw new Refusal('edges', 'notAnOrder');
-    }
-    return { ael: edges.map((edge) => entry(now, edge)), ...scanning({ nextAel: next }, now) };
+  leave: {
+    changes: ['edges', ...kept],
+    sets: ['nextS'],
+    needs: ['edges'],
+    does: ({ edges, next }, now) => ({
+      edges: without(now.edges, edges, 'notInS'),
+      ...scanning({ nextS: next }, now),
+    }),
+  },
+  ael_sort: {
+    changes: ['ael', ...kept],
+    sets: ['nextAel'],
+    needs: ['ael'],
+    does: ({ edges, next }, now) => {
+      if (edges.length !== now.ael.length || new Set(edges).size !== edges.length) {
+        throw new Refusal('edges', 'notAnOrder');
+      }
+      return { ael: edges.map((edge) => entry(now, edge)), ...scanning({ nextAel: next }, now) };
+    },
   },
   line: nothing,
   miss: nothing,
   slope: nothing,
   columns: nothing,
   pixel: nothing,
-  span: (event, { polygon }, screen) => {
-    paintSpan(event, polygon, screen);
-    return unchanged;
+  span: {
+    changes: ['picture', 'z'],
+    reads: ['polygon'],
+    needs: ['polygon'],
+    does: (event, { polygon }, screen) => {
+      paintSpan(event, polygon, screen);
+      return undefined;
+    },
   },
-  ael_drop: ({ edges, next }, now) => {
-    without(
-      now.ael.map(({ edge }) => edge),
-      edges,
-      'notInAel',
-    );
-    const ael = now.ael.filter(({ edge }) => !edges.includes(edge));
-    return { ael, ...scanning({ nextAel: next }, now) };
+  ael_drop: {
+    changes: ['ael', ...kept],
+    sets: ['nextAel'],
+    needs: ['ael'],
+    does: ({ edges, next }, now) => {
+      without(
+        now.ael.map(({ edge }) => edge),
+        edges,
+        'notInAel',
+      );
+      const ael = now.ael.filter(({ edge }) => !edges.includes(edge));
+      return { ael, ...scanning({ nextAel: next }, now) };
+    },
   },
-  ael_step: ({ edge, x, z }, now) => {
-    const stepped = { ...entry(now, edge), x, z };
-    return { ael: now.ael.map((each) => (each.edge === edge ? stepped : each)) };
+  ael_step: {
+    changes: ['ael'],
+    needs: ['ael'],
+    does: ({ edge, x, z }, now) => {
+      const stepped = { ...entry(now, edge), x, z };
+      return { ael: now.ael.map((each) => (each.edge === edge ? stepped : each)) };
+    },
   },
-};
-
-/** The state after an event of this method. */
-export function afterZBuffer(event: Event, now: ZBuffer, screen: Screen): ZBuffer {
-  const handler = handlers[event.e as Name] as Handler<EventName>;
-  const news = handler(event, now, screen);
-  return news === unchanged ? now : { ...now, ...news };
-}
+});

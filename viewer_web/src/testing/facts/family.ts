@@ -1,7 +1,7 @@
 import type { FamilyEvents } from '../../trace/events.js';
 import { answered, of, only, said } from './fact.js';
 import type { Facts } from './fact.js';
-import { known, outside } from './windows.js';
+import { known, outside } from './warnock.js';
 
 export const familyFacts: Facts<keyof FamilyEvents> = {
   back_face: ({ polygon, away }) => ({

@@ -14,7 +14,7 @@ const edgesAnd = ({
   readonly next: N;
 }): Fact => (edges.length === 0 ? none : only(...edges, ...(next === 'inf' ? [] : [next])));
 
-export const scanlineFacts: Facts<keyof ZBufferEvents> = {
+export const zBufferFacts: Facts<keyof ZBufferEvents> = {
   clear: ({ z }) => only(z),
   polygon: ({ polygon }) => of(polygon),
   edge: ({ edge, rows }) => {

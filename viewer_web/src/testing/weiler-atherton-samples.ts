@@ -1,4 +1,4 @@
-import type { Event, RegionEvents } from '../trace/events.js';
+import type { Event, WeilerAthertonEvents } from '../trace/events.js';
 
 const square = [
   [
@@ -17,8 +17,8 @@ const hole = [
 const ring = [...square, hole];
 
 /** A sample of each event of Weiler and Atherton's algorithm, and several where its sentence has cases. */
-export const regionSamples: {
-  readonly [K in Exclude<keyof RegionEvents, 'row'>]: readonly Event<K>[];
+export const weilerAthertonSamples: {
+  readonly [K in Exclude<keyof WeilerAthertonEvents, 'row'>]: readonly Event<K>[];
 } = {
   cut_to_area: [
     { e: 'cut_to_area', at: 'WA1', polygon: 'A', region: square },

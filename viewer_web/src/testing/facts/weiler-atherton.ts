@@ -1,4 +1,4 @@
-import type { RegionEvents } from '../../trace/events.js';
+import type { WeilerAthertonEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, listed, none, of, only, said, total } from './fact.js';
 import type { Facts } from './fact.js';
@@ -21,7 +21,7 @@ function bounds(region: Loops): readonly number[] {
   return [xs, ys].flatMap((values = []) => [Math.min(...values), Math.max(...values)]);
 }
 
-export const regionFacts: Facts<Exclude<keyof RegionEvents, 'row'>> = {
+export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row'>> = {
   cut_to_area: ({ polygon, region }) =>
     of(polygon, ...(region.length === 0 ? [] : [vertices(region)])),
   pierce: ({ polygon, other, normal, point }) => ({

@@ -60,7 +60,7 @@ export const known = (id: string | null): Fact => (id === null ? none : { ids: [
 
 type WindowEvent = Exclude<keyof (CommonEvents & WarnockEvents), keyof FamilyEvents>;
 
-export const windowFacts: Facts<WindowEvent> = {
+export const warnockFacts: Facts<WindowEvent> = {
   plane: ({ polygon, plane }) => of(polygon, ...plane),
   call: () => none,
   depth: ({ polygon, point, z }, moment) => both(of(polygon, z), place(point, moment)),

@@ -1,7 +1,9 @@
-import type { CurveEvents, Event } from '../trace/events.js';
+import type { FloatingHorizonEvents, Event } from '../trace/events.js';
 
 /** A sample of each event of curves, and several where its sentence has cases. */
-export const curveSamples: { readonly [K in keyof CurveEvents]: readonly Event<K>[] } = {
+export const floatingHorizonSamples: {
+  readonly [K in keyof FloatingHorizonEvents]: readonly Event<K>[];
+} = {
   horizons: [
     { e: 'horizons', at: 'FH1' },
     { e: 'horizons', at: 'FH1', upper: 0, lower: 200 },

@@ -1,9 +1,9 @@
 import { hasDefect } from '../../trace/editions.js';
-import type { CurveEvents } from '../../trace/events.js';
+import type { FloatingHorizonEvents } from '../../trace/events.js';
 import { answered, none, only, said } from './fact.js';
 import type { Facts } from './fact.js';
 
-export const curveFacts: Facts<keyof CurveEvents> = {
+export const floatingHorizonFacts: Facts<keyof FloatingHorizonEvents> = {
   horizons: ({ upper, lower }) =>
     upper === undefined || lower === undefined ? none : only(upper, lower),
   curve: ({ curve }) => only(curve),
