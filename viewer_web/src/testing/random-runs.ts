@@ -28,6 +28,11 @@ class Chance {
   quarter(low: number, high: number): number {
     return low + this.below(4 * (high - low) + 1) / 4;
   }
+
+  /** A number in tenths, which are rounded, so that decisions may be wrong. */
+  tenth(low: number, high: number): number {
+    return low + this.below(10 * (high - low) + 1) / 10;
+  }
 }
 
 type Vertex = readonly [number, number, number];
@@ -45,7 +50,16 @@ const at = (chance: Chance): Vertex => [
   chance.quarter(-1, 1),
 ];
 
-const triangle = (chance: Chance): Outline => [at(chance), at(chance), at(chance)];
+const inTenths = (chance: Chance): Vertex => [
+  chance.tenth(area.x - 1, area.x + area.width + 1),
+  chance.tenth(area.y - 1, area.y + area.height + 1),
+  chance.tenth(-1, 1),
+];
+
+function triangle(chance: Chance): Outline {
+  const vertex = chance.of([at, inTenths]);
+  return [vertex(chance), vertex(chance), vertex(chance)];
+}
 
 /** Its depths lie on one plane. */
 function rectangle(chance: Chance): Outline {
@@ -145,7 +159,7 @@ export function randomRuns(count: number, seed: number): readonly RandomRun[] {
     const method = methods[i % methods.length] ?? 'warnock';
     const edition = chance.of(editionsOf(method));
     const kernel = chance.of(kernels.filter((each) => runs({ method, edition, kernel: each })));
-    const check = chance.below(4) === 0;
+    const check = chance.below(2) === 0;
     const options = { method, edition, kernel, detail: chance.of(details), check };
     const scene = method === 'floating-horizon' ? surface(chance) : polygonScene(method, chance);
     return { scene: JSON.stringify(scene), options };
