@@ -95,7 +95,8 @@ Coincidences coincidences(const Outlines& subject, const Outlines& clip) {
             }
         }
     }
-    for (const auto& [vertex, next] : clip_edges) {
+    for (const auto& ending : clip_edges) {
+        const Place& vertex = ending.to;
         const auto has_vertex = [&](const EdgeOf& edge) { return edge.has(vertex); };
         if (std::none_of(subject_edges.begin(), subject_edges.end(), has_vertex)) continue;
         int shared = 0;
