@@ -180,15 +180,16 @@ AdmittedScene two_level_polygons(RandomScenes& random) {
     return builder.build();
 }
 
-/// Two tilted triangles strictly inside the area, with corners on few whole numbers.
-AdmittedScene two_tilted_triangles(RandomScenes& random) {
+/// Two triangles strictly inside the area, with corners on few whole numbers. One pair in eight is level.
+AdmittedScene two_triangles(RandomScenes& random) {
     SceneBuilder builder({0, 0, 8, 8});
+    const bool level = random.whole(0, 7) == 0;
     for (int i = 0; i < 2; ++i) {
         Corners corners;
         do {
             corners.clear();
             for (int k = 0; k < 3; ++k) {
-                corners.emplace_back(random.whole(1, 7), random.whole(1, 7), random.whole(0, 3) / 4.);
+                corners.emplace_back(random.whole(1, 7), random.whole(1, 7), level ? 0 : random.whole(0, 3) / 4.);
             }
         } while (cross(place_of(corners[0]), place_of(corners[1]), place_of(corners[2])) == 0);
         builder.polygon(corners);
@@ -252,11 +253,16 @@ Places outline_in(const Area& area, const ScenePolygon& polygon) {
     return clipped(whole_area(area), outline_of(polygon));
 }
 
-bool is_on(const Places& outline, const Place& point) {
+/// Whether a point is found on a convex outline. On a level lower side it is not: there a ray to the right, for which points on its row
+/// count as below it, has found it inside.
+bool is_found_on(const Places& outline, const Place& point) {
+    const auto by_y = [](const Place& p, const Place& q) { return p.second < q.second; };
+    const Rational top = std::min_element(outline.begin(), outline.end(), by_y)->second;
     bool found = false;
     for_each_edge_of(outline, [&](const Place& from, const Place& to) {
         const auto& [low, high] = std::minmax(from, to);
-        found = found || (cross(from, to, point) == 0 && low <= point && point <= high);
+        if (cross(from, to, point) != 0 || point < low || high < point) return;
+        found = found || std::min(from.second, to.second) < point.second || point.second == top;
     });
     return found;
 }
@@ -294,6 +300,16 @@ AdmittedScene nested_polygons(RandomScenes& random) {
             return SceneBuilder({0, 0, 8, 8}).polygon(quad).polygon(middle).polygon(inner).build();
         }
     }
+}
+
+/// Four level rectangles whose sides run through pixel centres. They touch or overlap, and have one of two depths.
+AdmittedScene touching_rectangles(RandomScenes& random) {
+    SceneBuilder builder({0, 0, 8, 8});
+    for (int i = 0; i < 4; ++i) {
+        const double left = random.whole(0, 5) + .5, top = random.whole(0, 5) + .5;
+        builder.quad(left, top, left + random.whole(1, 3), top + random.whole(1, 3), random.whole(0, 1) / 4.);
+    }
+    return builder.build();
 }
 
 /// Four rectangles side by side, so that none pierces another. Each is level or tilted; the depths at its sides are few quarters.
@@ -428,7 +444,7 @@ TEST_CASE(
     std::size_t on_lines = 0, parallel = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        const AdmittedScene scene = two_tilted_triangles(random);
+        const AdmittedScene scene = two_triangles(random);
         const auto& polygons = scene->polygons;
         const Places first = outline_of(polygons[0]), second = outline_of(polygons[1]);
         // Triangles whose boxes are apart are not compared. The vertices of the second are tested first, and those of the first and
@@ -457,7 +473,7 @@ TEST_CASE(
         parallel += std::size_t(listed_parallel);
     }
     CHECK(on_lines > 200 / thinning);
-    CHECK(parallel > 2 / thinning);
+    CHECK(parallel > 20 / thinning);
 }
 
 TEST_CASE(
@@ -516,7 +532,8 @@ TEST_CASE(
     std::size_t coplanar = 0, equal_depths = 0, on_outlines = 0;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
-        const JudgedScene judged = judged_scene(scene_with_copies(random, i), Method::weiler_atherton);
+        const JudgedScene judged = judged_scene(
+            i % 2 == 0 ? scene_with_copies(random, i / 2) : touching_rectangles(random), Method::weiler_atherton);
         const AdmittedScene& scene = judged.scene;
         if (!all_planar(scene)) continue;
         const auto polygon_at = [&](const PolygonPlace& place) -> const ScenePolygon& {
@@ -540,7 +557,7 @@ TEST_CASE(
                 if (depth_at(polygon, centre) != depth_at(polygon_at(order->other), centre)) return;
                 at_centres.insert(step);
                 // An equally near polygon may hold the centre, inside or on its outline.
-                if (order->at == Line::PR2) is_on_outline = is_on(outline_in(scene->area, polygon), centre);
+                if (order->at == Line::PR2) is_on_outline = is_found_on(outline_in(scene->area, polygon), centre);
             }
         });
         CHECK(judged.steps(Procedure::remove_behind, Coincidence::equal_depths) == in_one_plane);
@@ -552,6 +569,6 @@ TEST_CASE(
         on_outlines += at_outlines.size();
     }
     CHECK(coplanar > 100 / thinning);
-    CHECK(equal_depths > 10 / thinning);
-    CHECK(on_outlines > 5 / thinning);
+    CHECK(equal_depths > 100 / thinning);
+    CHECK(on_outlines > 100 / thinning);
 }

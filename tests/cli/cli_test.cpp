@@ -207,7 +207,8 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
 TEST_CASE("A file of another version is refused with advice by each command that reads it") {
     const Workplace work;
     const auto refused = [&](const std::string& command, const std::string& format, const std::string& out) {
-        const std::string file = work.write("other.json", R"({"format":")" + format + "\"}\n");
+        const std::string name = format.starts_with("vidno-trace") ? "other.jsonl" : "other.json";
+        const std::string file = work.write(name, R"({"format":")" + format + "\"}\n");
         const auto said = program(command + ' ' + file + " -o " + work.file(out));
         CHECK(said.status == 2);
         std::string known = format;

@@ -118,6 +118,7 @@ public:
     /// Requires a surface given as a function that is finite over each column.
     Function function() {
         root_.object();
+        root_.expect_format(surface_format);
         if (!has_function()) root_.refuse("no function, which could be sampled in other ways");
         expect_keys();
         read_name_and_window();
