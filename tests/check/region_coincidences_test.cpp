@@ -217,16 +217,7 @@ Places common_part(const Places& p, const Places& q) {
     Places inside = p;
     const Rational turn = cross(q[0], q[1], q[2]);
     for_each_edge_of(q, [&](const Place& from, const Place& to) {
-        Places kept;
-        for_each_edge_of(inside, [&](const Place& a, const Place& b) {
-            const Rational side_a = cross(from, to, a) * turn, side_b = cross(from, to, b) * turn;
-            if (side_a >= 0) kept.push_back(a);
-            if ((side_a < 0 && side_b > 0) || (side_a > 0 && side_b < 0)) {
-                const Rational part = side_a / (side_a - side_b);
-                kept.emplace_back(a.first + (b.first - a.first) * part, a.second + (b.second - a.second) * part);
-            }
-        });
-        inside = kept;
+        inside = cut_off(inside, [&](const Place& place) -> Rational { return -cross(from, to, place) * turn; });
     });
     return inside;
 }
@@ -251,6 +242,17 @@ bool boxes_overlap(const Places& p, const Places& q) {
 
 Places outline_in(const Area& area, const ScenePolygon& polygon) {
     return clipped(whole_area(area), outline_of(polygon));
+}
+
+/// Adds the pixels of the area whose centres are an end of an outline on their row.
+void add_centres_at_ends(const Area& area, const Places& outline, std::set<std::pair<int, int>>& pixels) {
+    for (int y = area.y; y < area.bottom(); ++y) {
+        const auto on_row = ends_on_row(outline, y);
+        for (int x = area.x; on_row && x < area.right(); ++x) {
+            const Rational centre = Rational(x) + half;
+            if (centre == on_row->first || centre == on_row->second) pixels.emplace(x, y);
+        }
+    }
 }
 
 /// Whether a point is found on a convex outline. On a level lower side it is not: there a ray to the right, for which points on its row
@@ -375,16 +377,8 @@ TEST_CASE("On 1,000 scenes of a polygon alone PaintRegions has its zeros at the 
         Scene drawn = random.scene();
         drawn.polygons.resize(1);
         const AdmittedScene scene = admit(std::move(drawn));
-        const Area& area = scene->area;
         std::set<std::pair<int, int>> expected, listed;
-        for (int y = area.y; y < area.bottom(); ++y) {
-            const auto on_row = ends_on_row(outline_of(scene->polygons[0]), y);
-            if (!on_row || scene->polygons[0].edge_on) continue;
-            for (int x = area.x; x < area.right(); ++x) {
-                const Rational centre = Rational(x) + half;
-                if (centre == on_row->first || centre == on_row->second) expected.emplace(x, y);
-            }
-        }
+        if (!scene->polygons[0].edge_on) add_centres_at_ends(scene->area, outline_of(scene->polygons[0]), expected);
         for (const auto& each : of_kind(checked(scene, Method::weiler_atherton, "filtered", 0), FindingKind::zero)) {
             if (each.procedure != Procedure::paint_regions || each.gap->if_zero != Coincidence::on_pixel_centre)
                 continue;
@@ -504,17 +498,8 @@ TEST_CASE(
         CHECK(listed.common == expected.common);
         on_lines += expected.on_lines.size();
 
-        const Area& area = scene->area;
         std::set<std::pair<int, int>> centres, listed_centres;
-        for (const Places& outline : {far, middle, near}) {
-            for (int y = area.y; y < area.bottom(); ++y) {
-                const auto on_row = ends_on_row(outline, y);
-                for (int x = area.x; on_row && x < area.right(); ++x) {
-                    const Rational centre = Rational(x) + half;
-                    if (centre == on_row->first || centre == on_row->second) centres.emplace(x, y);
-                }
-            }
-        }
+        for (const Places& outline : {far, middle, near}) add_centres_at_ends(scene->area, outline, centres);
         for (const auto& each : zeros) {
             if (each.gap->if_zero == Coincidence::on_pixel_centre) listed_centres.emplace(each.pixels.x, each.pixels.y);
         }

@@ -78,13 +78,14 @@ inline Rational beyond(int side, const Window& window, const Place& p) {
     }
 }
 
-/// A convex outline without its part beyond a side of a window. It starts with the edge that ends at the first vertex.
-inline Places clipped(int side, const Window& window, const Places& outline) {
+/// A convex outline without its part where `beyond(place)`, a linear function, is positive. It starts with the edge that ends at the first
+/// vertex.
+Places cut_off(const Places& outline, auto&& beyond) {
     Places inside;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Place& from = outline[i == 0 ? outline.size() - 1 : i - 1];
         const Place& to = outline[i];
-        const Rational f = beyond(side, window, from), t = beyond(side, window, to);
+        const Rational f = beyond(from), t = beyond(to);
         if ((f < 0 && t > 0) || (f > 0 && t < 0)) {
             const Rational part = f / (f - t);
             inside.emplace_back(from.first + (to.first - from.first) * part,
@@ -93,6 +94,10 @@ inline Places clipped(int side, const Window& window, const Places& outline) {
         if (t <= 0) inside.push_back(to);
     }
     return inside;
+}
+
+inline Places clipped(int side, const Window& window, const Places& outline) {
+    return cut_off(outline, [&](const Place& place) { return beyond(side, window, place); });
 }
 
 inline Places clipped(const Window& window, Places outline) {
