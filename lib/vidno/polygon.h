@@ -32,8 +32,8 @@ struct Polygon {
 /// The least box around at least one vertex.
 template <class Number>
 Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
-    const auto less_x = [](const auto& v, const auto& w) { return v.x < w.x; };
-    const auto less_y = [](const auto& v, const auto& w) { return v.y < w.y; };
+    const auto less_x = [](const auto& v, const auto& w) { return select_lesser(v.x, w.x); };
+    const auto less_y = [](const auto& v, const auto& w) { return select_lesser(v.y, w.y); };
     const auto [left, right] = std::minmax_element(vertices.begin(), vertices.end(), less_x);
     const auto [top, bottom] = std::minmax_element(vertices.begin(), vertices.end(), less_y);
     return {left->x, top->y, right->x, bottom->y};

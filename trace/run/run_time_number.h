@@ -204,8 +204,14 @@ public:
         return compared(a, b, std::greater_equal<>());
     }
     friend bool operator==(const RunTimeNumber& a, const RunTimeNumber& b) { return compared(a, b, std::equal_to<>()); }
+    friend bool select_lesser(const RunTimeNumber& a, const RunTimeNumber& b) {
+        return compared(a, b, std::less<>(), Equal::decides_nothing);
+    }
 
 private:
+    /// Whether the answer to a comparison of equal numbers matters.
+    enum class Equal { decides, decides_nothing };
+
     RunTimeNumber(const Arithmetic& arithmetic, double computed, SharedRational rational, const Judge* judge)
         : value_(computed), arithmetic_(arithmetic), rational_(std::move(rational)), judge_(judge) {}
 
@@ -248,10 +254,10 @@ private:
     }
 
     /// Comparing does not round: the answer is right for the operands.
-    static bool compared(const RunTimeNumber& a, const RunTimeNumber& b, auto relation) {
-        return a.is_plain() && b.is_plain() ? relation(a.value_, b.value_) : compared_exactly(a, b, relation);
+    static bool compared(const RunTimeNumber& a, const RunTimeNumber& b, auto relation, Equal equal = Equal::decides) {
+        return a.is_plain() && b.is_plain() ? relation(a.value_, b.value_) : compared_exactly(a, b, relation, equal);
     }
-    static bool compared_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto relation) {
+    static bool compared_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto relation, Equal equal) {
         const auto exactly = [&] {
             return of_rationals<std::optional<bool>>(
                 a, b, [&](const Rational& p, const Rational& q) { return std::optional<bool>(relation(p, q)); });
@@ -262,7 +268,8 @@ private:
         const bool taken = common(a, b).is_exact() ? *right : relation(a.value_, b.value_);
         if (judge) {
             const NumbersCompared compared(a, b);
-            Verdict verdict{Decision::comparison, taken, {}, true, &compared};
+            const bool is_listed = equal == Equal::decides || taken || !of_rationals<bool>(a, b, std::equal_to<>());
+            Verdict verdict{Decision::comparison, taken, {}, true, is_listed ? &compared : nullptr};
             if (right) verdict.truth.answer = *right;
             (*judge)(verdict);
         }

@@ -20,15 +20,16 @@ Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& ve
     std::vector<bool> several_begin;
     for (const auto& at_vertex : beginning) several_begin.push_back(at_vertex.size() > 1);
 
+    // Pieces of one line do not turn, however their ends were rounded.
+    const auto turn = [&](const auto& arriving, const auto& next) {
+        if (next.line == arriving.line) return Sign::zero;
+        return kernel.turn(vertices[arriving.to].at, vertices[arriving.from].at, vertices[next.to].at);
+    };
     const auto is_sharper = [&](const auto& arriving, const auto& a, const auto& b) {
-        const auto& pivot = vertices[arriving.to].at;
-        const auto& back = vertices[arriving.from].at;
-        const auto& to_a = vertices[a.to].at;
-        const auto& to_b = vertices[b.to].at;
-        const Sign turn_a = kernel.turn(pivot, back, to_a);
-        const Sign turn_b = kernel.turn(pivot, back, to_b);
+        const Sign turn_a = turn(arriving, a);
+        const Sign turn_b = turn(arriving, b);
         if (turn_a != turn_b) return turn_a < turn_b;
-        return kernel.turn(pivot, to_a, to_b) == Sign::negative;
+        return kernel.turn(vertices[arriving.to].at, vertices[a.to].at, vertices[b.to].at) == Sign::negative;
     };
 
     Region<Number> region;

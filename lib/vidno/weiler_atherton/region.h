@@ -53,12 +53,11 @@ Box<Number> box_around(const Region<Number>& region) {
     Box<Number> box{first.at.x, first.at.y, first.at.x, first.at.y};
     for (const auto& loop : region.loops) {
         for (const auto& vertex : loop) {
-            if (&vertex == &first) continue;  // a judge would list its comparison with itself as a coincidence
             const auto& at = vertex.at;
-            if (at.x < box.xmin) box.xmin = at.x;
-            if (at.y < box.ymin) box.ymin = at.y;
-            if (box.xmax < at.x) box.xmax = at.x;
-            if (box.ymax < at.y) box.ymax = at.y;
+            if (select_lesser(at.x, box.xmin)) box.xmin = at.x;
+            if (select_lesser(at.y, box.ymin)) box.ymin = at.y;
+            if (select_lesser(box.xmax, at.x)) box.xmax = at.x;
+            if (select_lesser(box.ymax, at.y)) box.ymax = at.y;
         }
     }
     return box;
