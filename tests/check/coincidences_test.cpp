@@ -3,6 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -25,6 +29,37 @@ namespace {
 
 using PolygonAtPixel = std::tuple<int, int, int>;  // a polygon, x, y
 using PolygonOnRow = std::pair<int, int>;          // a polygon, y
+
+/// How many equal heights the Z-buffer finds as it lists the edges of a polygon: twice the ends of a level edge, once more if they are one point, the lower ends that are
+/// the lowest, and, in a stable insertion sort, each edge that is not the first of its height.
+int equal_heights(const ScenePolygon& polygon) {
+    const auto& v = polygon.vertices;
+    const double lowest =
+        std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
+    std::set<double> heights;
+    int found = int(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const auto& from = v[i];
+        const auto& to = v[(i + 1) % v.size()];
+        if (from.y == to.y) found += from.x == to.x ? 3 : 2;
+        if (std::max(from.y, to.y) == lowest) ++found;
+        heights.insert(std::min(from.y, to.y));
+    }
+    return found - int(heights.size());
+}
+
+/// The level edges at the foot of a polygon, if a centre line of the area runs through them.
+int level_edges_at_foot(const Area& area, const ScenePolygon& polygon) {
+    const auto& v = polygon.vertices;
+    const double lowest =
+        std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
+    const bool is_centre = lowest - std::floor(lowest) == 0.5 && lowest > area.y && lowest < area.bottom();
+    int found = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        found += is_centre && v[i].y == lowest && v[(i + 1) % v.size()].y == lowest ? 1 : 0;
+    }
+    return found;
+}
 
 }  // namespace
 
@@ -90,6 +125,60 @@ TEST_CASE("On 1,000 scenes the Z-buffer's zeros are pixel centres on outlines, v
     CHECK(on_outlines > 1000 / thinning);
     CHECK(on_rows > 300 / thinning);
     CHECK(equal_depths > 100 / thinning);
+}
+
+TEST_CASE(
+    "On 1,000 scenes the Z-buffer's equal numbers are level edges, lowest vertices, and edges that meet on a row") {
+    RandomScenes random(51);
+    std::size_t heights = 0, level = 0, meetings = 0;
+    for (int i = 0; i < 1000 / thinning; ++i) {
+        CAPTURE(i);
+        const JudgedScene judged = judged_scene(scene_with_copies(random, i), Method::zbuffer);
+        const AdmittedScene& scene = judged.scene;
+        std::map<int, int> at_edges, at_foot;  // by polygon
+        for (int p = 0; p < int(scene->polygons.size()); ++p) {
+            const auto& polygon = scene->polygons[std::size_t(p)];
+            if (polygon.edge_on) continue;
+            at_edges[p] = equal_heights(polygon);
+            if (const int found = level_edges_at_foot(scene->area, polygon)) at_foot[p] = found;
+            level += std::size_t(at_foot.contains(p));
+            heights += std::size_t(at_edges[p]);
+        }
+        // Two edges of a polygon are at one point of a row exactly where the row holds one point of the polygon.
+        std::set<std::uint64_t> sorted, shown;
+        int polygon = 0, row = 0;
+        hear_run(scene, Method::zbuffer, [&](std::uint64_t step, const EventView& event) {
+            if (const auto* begun = event.get_if<event::Polygon>()) polygon = begun->polygon.index;
+            if (const auto* scanline = event.get_if<event::Scanline>()) row = scanline->row;
+            const auto* sort = event.get_if<event::AelSort>();
+            const bool sorts = sort && sort->edges.size() == 2;
+            if (!sorts && !event.get_if<event::Slope>()) return;
+            const auto ends = ends_on_row(outline_of(scene->polygons[std::size_t(polygon)]), row);
+            REQUIRE(ends);
+            if (ends->first == ends->second) (sorts ? sorted : shown).insert(step);
+        });
+
+        std::map<int, int> listed_at_edges, listed_at_foot;
+        std::set<std::uint64_t> listed_sorted, listed_shown;
+        for (const auto& zero : judged.zeros) {
+            if (zero.coincidence != Coincidence::equal_numbers) continue;
+            switch (zero.at) {
+                case Line::Z3: ++listed_at_edges[zero.polygons.at(0).index]; break;
+                case Line::Z9: ++listed_at_foot[zero.polygons.at(0).index]; break;
+                case Line::Z12: listed_sorted.insert(zero.step); break;
+                case Line::L3: listed_shown.insert(zero.step); break;
+                default: FAIL("equal numbers in another line: " << zero.step);
+            }
+        }
+        CHECK(listed_at_edges == at_edges);
+        CHECK(listed_at_foot == at_foot);
+        CHECK(listed_sorted == sorted);
+        CHECK(listed_shown == shown);
+        meetings += sorted.size() + shown.size();
+    }
+    CHECK(heights > 1000 / thinning);
+    CHECK(level > 30 / thinning);
+    CHECK(meetings > 100 / thinning);
 }
 
 TEST_CASE(

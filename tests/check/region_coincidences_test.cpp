@@ -15,6 +15,7 @@
 #include "run/run.h"
 #include "support/checked.h"
 #include "support/in_rationals.h"
+#include "support/outlines.h"
 #include "support/scenes.h"
 #include "support/zeros.h"
 
@@ -22,123 +23,6 @@ using namespace vidno;
 using namespace vidno::test;
 
 namespace {
-
-/// a x + b y = c, the first of a and b that is not 0 is 1.
-using LineThrough = std::tuple<Rational, Rational, Rational>;
-
-LineThrough line(Rational a, Rational b, Rational c) {
-    const Rational scale = a != 0 ? a : b;
-    return {a / scale, b / scale, c / scale};
-}
-LineThrough line_through(const Place& p, const Place& q) {
-    const Rational a = p.second - q.second, b = q.first - p.first;
-    return line(a, b, a * p.first + b * p.second);
-}
-Rational over(const LineThrough& line, const Place& p) {
-    const auto& [a, b, c] = line;
-    return a * p.first + b * p.second - c;
-}
-
-struct EdgeOf {
-    Place from, to;
-
-    LineThrough line() const { return line_through(from, to); }
-    bool has(const Place& p) const { return p == from || p == to; }
-    bool is_same_as(const EdgeOf& other) const { return has(other.from) && has(other.to); }
-};
-
-/// A region by its outlines, holes included.
-using Outlines = std::vector<Places>;
-
-std::vector<EdgeOf> edges_of(const Outlines& region) {
-    std::vector<EdgeOf> edges;
-    for (const auto& outline : region) {
-        for_each_edge_of(outline, [&](const Place& from, const Place& to) { edges.push_back({from, to}); });
-    }
-    return edges;
-}
-
-using PointOnLine = std::pair<Place, LineThrough>;
-
-/// The coincidences of two overlaid regions: vertices of one on lines of the other, and common vertices.
-struct Coincidences {
-    std::set<PointOnLine> on_lines;
-    std::set<Place> common;
-    bool operator==(const Coincidences&) const = default;
-};
-
-/// A common edge counts as one edge, and vertices that are on it by construction are not tested. The line of an edge of the subject is
-/// tested where it may meet an edge of the clip region, that is, where the line of that edge meets the subject's edge.
-Coincidences coincidences(const Outlines& subject, const Outlines& clip) {
-    Coincidences found;
-    const auto is_shared = [](const EdgeOf& edge, const std::vector<EdgeOf>& others) {
-        return std::any_of(others.begin(), others.end(), [&](const EdgeOf& other) { return edge.is_same_as(other); });
-    };
-    const auto subject_edges = edges_of(subject), clip_edges = edges_of(clip);
-    const auto on_own_edge = [](const Place& vertex, const EdgeOf& edge, const std::vector<EdgeOf>& own) {
-        return std::any_of(own.begin(), own.end(),
-                           [&](const EdgeOf& each) { return each.has(vertex) && each.is_same_as(edge); });
-    };
-    for (const auto& e : subject_edges) {
-        for (const auto& f : clip_edges) {
-            const Rational from = over(f.line(), e.from), to = over(f.line(), e.to);
-            for (const auto& end : {e.from, e.to}) {
-                if (over(f.line(), end) == 0 && !on_own_edge(end, f, subject_edges)) {
-                    found.on_lines.emplace(end, f.line());
-                }
-            }
-            if ((from < 0 && to < 0) || (from > 0 && to > 0)) continue;
-            for (const auto& end : {f.from, f.to}) {
-                if (over(e.line(), end) == 0 && !on_own_edge(end, e, clip_edges)) {
-                    found.on_lines.emplace(end, e.line());
-                }
-            }
-        }
-    }
-    for (const auto& ending : clip_edges) {
-        const Place& vertex = ending.to;
-        const auto has_vertex = [&](const EdgeOf& edge) { return edge.has(vertex); };
-        if (std::none_of(subject_edges.begin(), subject_edges.end(), has_vertex)) continue;
-        int shared = 0;
-        for (const auto& edge : clip_edges) shared += edge.has(vertex) && is_shared(edge, subject_edges) ? 1 : 0;
-        if (shared < 2) found.common.insert(vertex);
-    }
-    return found;
-}
-
-/// Whether two convex polygons share area: no line of an edge separates them.
-bool overlap(const Places& p, const Places& q) {
-    const auto separates = [](const EdgeOf& edge, const Places& own, const Places& other) {
-        const auto all = [&](const Places& places, int side) {
-            return std::all_of(places.begin(), places.end(),
-                               [&](const Place& each) { return side * over(edge.line(), each) >= 0; });
-        };
-        return (all(own, 1) && all(other, -1)) || (all(own, -1) && all(other, 1));
-    };
-    for (const auto& edge : edges_of({p})) {
-        if (separates(edge, p, q)) return false;
-    }
-    for (const auto& edge : edges_of({q})) {
-        if (separates(edge, q, p)) return false;
-    }
-    return true;
-}
-
-Rational exact_operand(const Finding& finding, const std::string& name) {
-    for (const auto& operand : finding.decision.operands) {
-        if (operand.name != name) continue;
-        const auto& text = operand.exact.text;
-        const auto slash = text.find('/');
-        return Rational(text.substr(0, slash)) / Rational(text.substr(slash + 1));
-    }
-    FAIL("no operand " << name);
-    return 0;
-}
-
-bool has_operand(const Finding& finding, const std::string& name) {
-    const auto& operands = finding.decision.operands;
-    return std::any_of(operands.begin(), operands.end(), [&](const Operand& each) { return each.name == name; });
-}
 
 PointOnLine point_on_line(const Finding& finding) {
     const Rational a = exact_operand(finding, "line.a"), b = exact_operand(finding, "line.b");
@@ -159,27 +43,6 @@ Coincidences listed_in_clip(const std::vector<Finding>& zeros, std::uint64_t beg
     return listed;
 }
 
-/// Two level polygons strictly inside the area, with corners on few whole numbers.
-AdmittedScene two_level_polygons(RandomScenes& random) {
-    SceneBuilder builder({0, 0, 8, 8});
-    for (int i = 0; i < 2; ++i) {
-        const double z = random.whole(0, 1) / 4.;
-        const auto at = [&] { return double(random.whole(1, 7)); };
-        if (random.whole(0, 2) == 0) {
-            const double left = random.whole(1, 5), top = random.whole(1, 5);
-            builder.quad(left, top, left + random.whole(1, 7 - int(left)), top + random.whole(1, 7 - int(top)), z);
-            continue;
-        }
-        Corners corners;
-        do {
-            corners = {{at(), at(), z}, {at(), at(), z}, {at(), at(), z}};
-        } while ((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) ==
-                 (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
-        builder.polygon(corners);
-    }
-    return builder.build();
-}
-
 /// Two triangles strictly inside the area, with corners on few whole numbers. One pair in eight is level.
 AdmittedScene two_triangles(RandomScenes& random) {
     SceneBuilder builder({0, 0, 8, 8});
@@ -195,78 +58,6 @@ AdmittedScene two_triangles(RandomScenes& random) {
         builder.polygon(corners);
     }
     return builder.build();
-}
-
-/// The line on which two planes have equal depths; none if they are parallel. Positive where the first is nearer.
-std::optional<LineThrough> line_of_planes(const ScenePolygon& p, const ScenePolygon& q) {
-    const auto over_other = [&](int x, int y) -> Rational { return depth_at(p, {x, y}) - depth_at(q, {x, y}); };
-    const Rational at_origin = over_other(0, 0), a = over_other(1, 0) - at_origin, b = over_other(0, 1) - at_origin;
-    if (a == 0 && b == 0) return std::nullopt;
-    return line(a, b, -at_origin);
-}
-
-bool is_on_both_sides(const LineThrough& line, const Places& places) {
-    const auto is_positive = [&](const Place& each) { return over(line, each) > 0; };
-    const auto is_negative = [&](const Place& each) { return over(line, each) < 0; };
-    return std::any_of(places.begin(), places.end(), is_positive) &&
-           std::any_of(places.begin(), places.end(), is_negative);
-}
-
-/// The vertices of the part that two convex outlines have in common.
-Places common_part(const Places& p, const Places& q) {
-    Places inside = p;
-    const Rational turn = cross(q[0], q[1], q[2]);
-    for_each_edge_of(q, [&](const Place& from, const Place& to) {
-        inside = cut_off(inside, [&](const Place& place) -> Rational { return -cross(from, to, place) * turn; });
-    });
-    return inside;
-}
-
-bool boxes_overlap(const Places& p, const Places& q) {
-    const auto range = [](const Places& places, auto coordinate) {
-        Rational least = coordinate(places[0]), greatest = least;
-        for (const auto& each : places) {
-            least = std::min<Rational>(least, coordinate(each));
-            greatest = std::max<Rational>(greatest, coordinate(each));
-        }
-        return std::pair(least, greatest);
-    };
-    const auto overlap_in = [&](auto coordinate) {
-        const auto [p_low, p_high] = range(p, coordinate);
-        const auto [q_low, q_high] = range(q, coordinate);
-        return p_low < q_high && q_low < p_high;
-    };
-    return overlap_in([](const Place& each) { return each.first; }) &&
-           overlap_in([](const Place& each) { return each.second; });
-}
-
-Places outline_in(const Area& area, const ScenePolygon& polygon) {
-    return clipped(whole_area(area), outline_of(polygon));
-}
-
-/// Adds the pixels of the area whose centres are an end of an outline on their row.
-void add_centres_at_ends(const Area& area, const Places& outline, std::set<std::pair<int, int>>& pixels) {
-    for (int y = area.y; y < area.bottom(); ++y) {
-        const auto on_row = ends_on_row(outline, y);
-        for (int x = area.x; on_row && x < area.right(); ++x) {
-            const Rational centre = Rational(x) + half;
-            if (centre == on_row->first || centre == on_row->second) pixels.emplace(x, y);
-        }
-    }
-}
-
-/// Whether a point is found on a convex outline. On a level lower side it is not: there a ray to the right, for which points on its row
-/// count as below it, has found it inside.
-bool is_found_on(const Places& outline, const Place& point) {
-    const auto by_y = [](const Place& p, const Place& q) { return p.second < q.second; };
-    const Rational top = std::min_element(outline.begin(), outline.end(), by_y)->second;
-    bool found = false;
-    for_each_edge_of(outline, [&](const Place& from, const Place& to) {
-        const auto& [low, high] = std::minmax(from, to);
-        if (cross(from, to, point) != 0 || point < low || high < point) return;
-        found = found || std::min(from.second, to.second) < point.second || point.second == top;
-    });
-    return found;
 }
 
 /// Three level polygons, the farthest first, each strictly inside the one before it. Their corners are on half pixels.

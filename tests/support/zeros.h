@@ -1,15 +1,20 @@
 /// The exact zeros that the list of decisions has for a scene, for tests that count them independently.
 #pragma once
 
+#include <doctest/doctest.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "run/run.h"
 #include "support/checked.h"
 #include "support/scenes.h"
+#include "vidno/kernels/exact.h"
 
 namespace vidno::test {
 
@@ -56,6 +61,23 @@ inline JudgedScene judged_scene(AdmittedScene scene, Method method) {
         judged.zeros.push_back({each.step, each.at, each.procedure, each.gap->if_zero, each.polygons, each.pixels});
     }
     return judged;
+}
+
+/// The exact value of an operand of a finding.
+inline Rational exact_operand(const Finding& finding, const std::string& name) {
+    for (const auto& operand : finding.decision.operands) {
+        if (operand.name != name) continue;
+        const auto& text = operand.exact.text;
+        const auto slash = text.find('/');
+        return Rational(text.substr(0, slash)) / Rational(text.substr(slash + 1));
+    }
+    FAIL("no operand " << name);
+    return 0;
+}
+
+inline bool has_operand(const Finding& finding, const std::string& name) {
+    const auto& operands = finding.decision.operands;
+    return std::any_of(operands.begin(), operands.end(), [&](const Operand& each) { return each.name == name; });
 }
 
 /// In every other scene a polygon is there twice.
