@@ -19,6 +19,17 @@ const faults = {
 
 const comma = (number) => String(number).replace('.', ',');
 
+/** An answer: yes or no, a number, or a half-open range. */
+const answer = (value, { yes, no, none, range }) => {
+  if (typeof value === 'boolean') return value ? yes : no;
+  if (typeof value === 'number') return String(value).replace('-', '−');
+  const [first, end] = value;
+  if (end - first === 1) return String(first);
+  return first < end ? range(first, end - 1) : none;
+};
+const english = { yes: 'yes', no: 'no', none: 'none', range: (first, last) => `${first} to ${last}` };
+const russian = { yes: 'да', no: 'нет', none: 'пусто', range: (first, last) => `от ${first} до ${last}` };
+
 const words = {
   en: {
     file: 'README.md',
@@ -28,7 +39,7 @@ with other samples), and the place where the failure is visible. \`tests/check/f
 counts the events of a trace of level \`signs\`: it is the first wrong decision or the first visibly wrong step. \`table.mjs\`
 writes these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
-    wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
+    wrong: ({ of, taken, exact }) => `\`${of}\`: ${answer(taken, english)}, exactly ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
     fault: (reason) => reason,
     endless: () => 'it does not end by itself',
@@ -48,7 +59,7 @@ writes these tables.`,
 запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
 \`table.mjs\`.`,
     head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
-    wrong: ({ of, taken, exact }) => `${of}: ${taken}, точно ${exact}`,
+    wrong: ({ of, taken, exact }) => `\`${of}\`: ${answer(taken, russian)}, точно ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
     fault: (reason) => faults[reason] ?? reason,
     endless: () => 'сам не завершается',

@@ -6,6 +6,7 @@
 
 #include "check/judged_run.h"
 #include "choice/method.h"
+#include "format/decision_words.h"
 #include "format/paints.h"
 #include "run/floating_horizon_run.h"
 #include "run/run.h"
@@ -53,13 +54,17 @@ void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, 
     }
 }
 
-std::string text_of(bool answer) { return answer ? "true" : "false"; }
-std::string text_of(int answer) { return std::to_string(answer); }
-std::string text_of(const std::pair<int, int>& range) {
-    return std::to_string(range.first) + "," + std::to_string(range.second);
-}
-std::string text_of(const Answer& answer) {
-    return std::visit([](const auto& each) { return text_of(each); }, answer);
+std::string signed_text(int number) { return number < 0 ? "−" + std::to_string(-number) : std::to_string(number); }
+
+/// An answer in both languages.
+Words words_of(bool answer) { return answer ? Words{"yes", "да"} : Words{"no", "нет"}; }
+Words words_of(int answer) { return {signed_text(answer), signed_text(answer)}; }
+Words words_of(const std::pair<int, int>& range) {
+    const auto [first, end] = range;
+    if (end <= first) return {"none", "пусто"};
+    if (end - first == 1) return words_of(first);
+    const std::string from = signed_text(first), to = signed_text(end - 1);
+    return {from + " to " + to, "от " + from + " до " + to};
 }
 std::string text_of(double number) {
     Text text;
@@ -83,9 +88,16 @@ std::optional<SeenFailure> first_wrong(const Failure& failure) {
     };
     follow(*failure.scene, failure.fails, hear, &judge);
     if (!wrong) return std::nullopt;
-    const std::string of(decision_names[std::size_t(wrong->of)]);
-    const std::string taken = text_of(wrong->taken), exact = text_of(*wrong->truth.answer);
-    return SeenFailure{step, {of + ": " + taken + ", exactly " + exact, of + ": " + taken + ", точно " + exact}, told};
+    const auto words = [](const Answer& answer) {
+        return std::visit([](const auto& each) { return words_of(each); }, answer);
+    };
+    const Words taken = words(wrong->taken), exact = words(*wrong->truth.answer);
+    constexpr Bilingual exactly{", exactly ", ", точно "};
+    const auto there = in_each_language([&](Language language) {
+        return std::string(decision_words[std::size_t(wrong->of)].in(language)) + ": " + taken.in(language) +
+               std::string(exactly.in(language)) + exact.in(language);
+    });
+    return SeenFailure{step, there, told};
 }
 
 /// The last step that painted a pixel, and the colour.

@@ -5,6 +5,7 @@
 
 #include "event_table/event_table.h"
 #include "event_table/joined_texts.h"
+#include "format/decision_words.h"
 
 namespace vidno {
 
@@ -71,6 +72,15 @@ std::string event_types(const std::string& listings_text) {
         text += "export const " + own + "s = [" + joined_texts(words, ", ", in_quotes) + "] as const;\n";
         text += "const " + own + " = is.oneOf(..." + own + "s);\n";
     }
+    text += "\n/** What a decision is about, for the middle of a sentence. */\nexport const decisionWords = {\n";
+    for (const Language language : languages) {
+        text += "  " + std::string(code_of(language)) + ": {\n";
+        for (std::size_t i = 0; i < decision_names.size(); ++i) {
+            text += "    " + std::string(decision_names[i]) + ": " + in_quotes(decision_words[i].in(language)) + ",\n";
+        }
+        text += "  },\n";
+    }
+    text += "} as const;\n";
     text += "\n/** The level from which the calls of a procedure appear. */\nexport const callsFrom = {\n";
     for (const Procedure procedure : called_procedures()) {
         text += "  " + std::string(procedure_names[std::size_t(procedure)]) + ": " +

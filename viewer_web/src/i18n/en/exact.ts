@@ -1,4 +1,5 @@
 import type { ExactTexts } from '../../language/exact-texts.js';
+import { decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 
 const answer = (value: Answer): string => {
@@ -13,22 +14,7 @@ const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.a
 
 export const exact: ExactTexts = {
   exactness: 'Exact?',
-  decided: {
-    comparison: 'a comparison of two numbers',
-    orientation: 'the side of the line',
-    nearer: 'the comparison of depths',
-    outside: 'whether the box lies outside the window',
-    inside: 'whether the box lies inside the window',
-    first_centre: 'the first pixel',
-    last_centre: 'the last pixel',
-    rows: 'the rows',
-    columns: 'the columns',
-    same_rounded: 'whether two numbers round alike',
-    pixel: 'the pixel of a number',
-    visibility: 'the flag of Visibility',
-    left_of: 'whether the point lies left of the edge',
-    parallel: 'whether the two are parallel',
-  },
+  decided: decisionWords.en,
   causes: {
     rounded: 'This operation rounded.',
     drifted: 'Right for its operands, which had drifted before.',
@@ -38,7 +24,7 @@ export const exact: ExactTexts = {
   exact: 'Exactly',
   decidedBy: 'Decided by',
   stages: {
-    given: 'the coordinates as they stand',
+    given: 'the given coordinates',
     scene: 'a bound for the whole scene',
     operands: 'a bound for these numbers',
     exact: 'exact arithmetic',
@@ -98,12 +84,12 @@ export const exact: ExactTexts = {
   lens: (at) => `The same decision around ${at}`,
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:
-    'There is no map of this decision: signs and comparisons of two polygons’ depths have one, but not with all kinds of numbers.',
+    'This decision has no map. Signs and comparisons of two polygons’ depths have one, but not with every kind of number.',
   drawing: 'Computing at each neighbour…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,
   drifted:
-    'The map computes both depths from the planes. This run has another answer: its depth was added up along the row.',
+    'The map computes both depths from the planes. This run accumulated its depth along the row, so its answer differs.',
   cell: (x, y, computed, exactly) =>
     `x ${ulps(x)}, y ${ulps(y)} ulp: ${computed}, exactly ${exactly}`,
   signs: { '-1': 'negative', 0: 'zero', 1: 'positive' },

@@ -1,4 +1,5 @@
 import type { ExactTexts } from '../../language/exact-texts.js';
+import { decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 
 const answer = (value: Answer): string => {
@@ -21,22 +22,7 @@ const corners = {
 
 export const exact: ExactTexts = {
   exactness: 'Точно?',
-  decided: {
-    comparison: 'сравнение двух чисел',
-    orientation: 'сторона прямой',
-    nearer: 'сравнение глубин',
-    outside: 'лежит ли рамка вне окна',
-    inside: 'лежит ли рамка внутри окна',
-    first_centre: 'первый пиксель',
-    last_centre: 'последний пиксель',
-    rows: 'строки',
-    columns: 'столбцы',
-    same_rounded: 'одинаково ли округляются два числа',
-    pixel: 'пиксель, в который попадает число',
-    visibility: 'признак видимости',
-    left_of: 'лежит ли точка слева от ребра',
-    parallel: 'параллельны ли прямые или плоскости',
-  },
+  decided: decisionWords.ru,
   causes: {
     rounded: 'Ошибка округления в этой операции.',
     drifted: 'Для своих операндов верно: погрешность накоплена раньше.',
@@ -85,7 +71,7 @@ export const exact: ExactTexts = {
       parallel_lines: 'параллельные прямые',
       shared_points: 'общая точка',
       on_pixel_centre: 'в центре пикселя',
-      box_on_window: 'рамка касается окна',
+      box_on_window: 'габаритный прямоугольник касается окна',
       curve_on_horizon: 'кривая на горизонте',
       equal_numbers: 'равные числа',
     },

@@ -1,0 +1,29 @@
+/// What a decision is about, in words: for the answers of failures, and for the page.
+#pragma once
+
+#include <array>
+
+#include "choice/language.h"
+#include "format/verdict.h"
+
+namespace vidno {
+
+/// For the middle of a sentence, in the order of Decision.
+inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
+    {"a comparison of two numbers", "сравнение двух чисел"},
+    {"the side of the line", "сторона прямой"},
+    {"the comparison of depths", "сравнение глубин"},
+    {"whether the box lies outside the window", "лежит ли габаритный прямоугольник вне окна"},
+    {"whether the box lies inside the window", "лежит ли габаритный прямоугольник внутри окна"},
+    {"the first pixel", "первый пиксель"},
+    {"the last pixel", "последний пиксель"},
+    {"the rows", "строки"},
+    {"the columns", "столбцы"},
+    {"whether two numbers round alike", "одинаково ли округляются два числа"},
+    {"the pixel of a number", "пиксель, в который попадает число"},
+    {"the flag of Visibility", "признак видимости"},
+    {"whether the point lies left of the edge", "лежит ли точка слева от ребра"},
+    {"whether the two are parallel", "параллельны ли прямые или плоскости"},
+}};
+
+}  // namespace vidno
