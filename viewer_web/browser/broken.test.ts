@@ -72,7 +72,7 @@ describe('a broken line of the listing', () => {
     expect([right.length, wrong.length]).toEqual([64, 64]);
     expect(new Set(right).size).toBe(1);
     expect(new Set(wrong)).not.toEqual(new Set(right));
-    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.getByRole('button', { name: 'Back to the correct run' }).click();
     await page.locator('vidno-comparison').waitFor({ state: 'detached' });
     expect((await shown(page)).step).toBe(5);
     await page.waitForURL((url) => !/with=|layer=/u.test(url.href));
@@ -95,7 +95,7 @@ describe('a broken line of the listing', () => {
     expect(faults).toEqual([]);
   });
 
-  it('shows the smallest scene, goes back to the scene, and to the right run', async () => {
+  it('shows the smallest scene, goes back to the scene, and to the correct run', async () => {
     const { page, faults } = await openRun(`${warnock}&step=7`);
     await breakLine(page, 'D1', 'depth-sign-reversed');
     await page.getByRole('button', { name: 'Smallest scene that shows it' }).click();
@@ -111,7 +111,7 @@ describe('a broken line of the listing', () => {
     expect(other.faults).toEqual([]);
     await page.getByRole('button', { name: 'Back to the scene' }).click();
     await expect.poll(() => result(page)).toMatch(/of 256 pixels change\.$/u);
-    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.getByRole('button', { name: 'Back to the correct run' }).click();
     await page.locator('vidno-comparison').waitFor({ state: 'detached' });
     expect((await shown(page)).step).toBe(7);
     expect(faults).toEqual([]);
@@ -177,7 +177,7 @@ describe('a broken line of the listing', () => {
     );
     await breakLine(page, 'Z1', 'depths-not-cleared');
     expect(await title(page)).toBe('Broken: Z1 Z not cleared');
-    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.getByRole('button', { name: 'Back to the correct run' }).click();
     await page.locator('vidno-comparison').waitFor({ state: 'detached' });
     const curves = JSON.stringify({
       format: 'vidno-surface/1',

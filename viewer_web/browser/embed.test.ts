@@ -174,7 +174,7 @@ describe('the element', () => {
   it.each([
     ['#nowhere', /#nowhere could not be read/],
     ['missing.jsonl', /missing.jsonl could not be read/],
-    ['#text', /#text is not a trace that can be read. Line 1/],
+    ['#text', /#text cannot be read as a trace\. Line 1/],
   ])('says in its place what is wrong: %s', async (src, message) => {
     const { page } = await course(
       `<vidno-player src="${src}"></vidno-player><script type="application/jsonl" id="text">hello</script>`,

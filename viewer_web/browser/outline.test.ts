@@ -134,7 +134,7 @@ describe('the outline', () => {
     }
   });
 
-  it('is not shown while the run stops and asks', async () => {
+  it('is not shown while the run stops for questions', async () => {
     const page = await outlined(small);
     await press(page, 'q');
     await page.locator('vidno-predict .force').check();

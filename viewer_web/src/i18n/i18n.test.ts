@@ -136,7 +136,7 @@ describe('a colour', () => {
   it('is attributed to the polygon that PointColor found, not to one with the same colour', () => {
     const ofB = { nearest: { polygon: 'B', z: 0.5 } };
     expect(saying(color(shared), ofB)).toEqual([
-      'At (0.5, 0.5) one sees B.',
+      'At (0.5, 0.5) the viewer sees B.',
       'В точке (0,5; 0,5) виден B.',
     ]);
     expect(saying(fill('W9', shared), ofB)[0]).toBe('2 pixels take the colour of B.');
@@ -200,7 +200,7 @@ describe('a complaint', () => {
       refusal: new Refusal('polygon', 'noSuchPolygon', 'X'),
     });
     expect(complaint('x.jsonl', error, 'en')).toBe(
-      'x.jsonl is not a trace that can be read. Line 3, polygon: the scene has no polygon X.',
+      'x.jsonl cannot be read as a trace. Line 3, polygon: the scene has no polygon X.',
     );
   });
 });

@@ -284,7 +284,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: (event, words) => {
       const { polygons, background } = ownersOf(event, words.after, words.header);
       const seen = polygons.join(' / ') || (background ? 'the background' : event.color);
-      return `At ${words.point(event.point)} one sees ${seen}.`;
+      return `At ${words.point(event.point)} the viewer sees ${seen}.`;
     },
     ru: (event, words) => {
       const { polygons, background } = ownersOf(event, words.after, words.header);

@@ -32,8 +32,8 @@ const lies = {
 };
 
 const openOutline = {
-  en: 'An outline does not close here, by rounding: what cannot be closed is left out, and the run goes on.',
-  ru: 'Из-за округления контур здесь не замыкается: незамкнутое отбрасывается, и алгоритм идёт дальше.',
+  en: 'Rounding leaves an outline open here. The run drops it and goes on.',
+  ru: 'Из-за округления контур здесь не замыкается. Он отбрасывается, и прогон идёт дальше.',
 };
 
 const ofPieces = { one: 'части', few: 'частей', other: 'частей' };
@@ -205,14 +205,14 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
       const clip = words.after.weilerAtherton?.inHand?.pieces[0]?.[0] ?? 'the clip polygon';
       return polygons.length === 0
         ? `Nothing inside is nearer than ${clip}: the rest inside is dropped.`
-        : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not what shows first.`;
+        : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not the nearest here.`;
     },
     ru: ({ polygons }, words) => {
       const clip =
         words.after.weilerAtherton?.inHand?.pieces[0]?.[0] ?? 'отсекающего многоугольника';
       return polygons.length === 0
         ? `Внутри нет ничего ближе ${clip}: остальное внутри отбрасывается.`
-        : `Ближе ${clip}: ${words.ids(polygons)}. Значит, первым виден не ${clip}.`;
+        : `Ближе ${clip}: ${words.ids(polygons)}. Значит, ${clip} здесь не ближе всех.`;
     },
   },
   show: {

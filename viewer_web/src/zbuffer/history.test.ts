@@ -30,7 +30,7 @@ describe('in the Z-buffer', () => {
       'B',
     ]);
     expect(sayWhy(last(history.entries), history, 'en')).toBe(
-      'Why it has this colour: B is nearer here than all drawn before, and nothing drawn later took the pixel.',
+      'Why it has this colour: B is nearer here than everything drawn before, and nothing drawn later replaced it.',
     );
   });
 

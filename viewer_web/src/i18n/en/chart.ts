@@ -56,7 +56,7 @@ export const chart: ChartTexts = {
   counted: (part, all) => `${part} of ${all}`,
   units: { depthUlps: (count) => `${count} ulps`, height: (count) => `${count} px` },
   reading:
-    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; the series are only spread apart.',
+    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; their series are spread out only to tell them apart.',
   missing: (kernels) => `Not shown because their numbers have no fixed width: ${kernels}.`,
   rightPicture: (share) => `the right picture itself: ${share}`,
   plot: (cost, error) => `${error} against ${cost}`,

@@ -53,7 +53,7 @@ export const compare: CompareTexts = {
   broken: {
     offer: 'Break a line',
     explained:
-      'A line runs as it is printed, or as students often have it, beside the right run of the same scene.',
+      'Runs a line as printed, or as students often write it, beside the correct run of the same scene.',
     offerAt: (line) => `Break line ${line}`,
     printed: 'as printed',
     mistake: 'usual mistake',
@@ -66,8 +66,8 @@ export const compare: CompareTexts = {
     smallest: 'Smallest scene that shows it',
     isSmallest: (name) => `Smallest scene: ${name}`,
     own: 'Back to the scene',
-    back: 'Back to the right run',
-    right: 'Right, where it changes',
+    back: 'Back to the correct run',
+    right: 'Correct, where it changes',
     wrong: 'Broken, where it changes',
   },
   counts: {

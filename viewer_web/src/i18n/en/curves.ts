@@ -34,7 +34,7 @@ export const curves: CurveTexts = {
       `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move to another column, with Shift by ten. Enter shows the history of the column. Escape leaves.',
     forget: 'Forget the column',
-    entries: 'All that happened over the column',
+    entries: 'Everything that happened over the column',
     outcomes: { pass: 'visible', fail: 'hidden', paint: 'drawn', wrong: 'wrong', note: '' },
     painted: (step) => `Last drawn over at step ${step}`,
     unpainted: 'No curve is drawn over it.',
@@ -48,7 +48,7 @@ export const curves: CurveTexts = {
     language:
       'x, z, pi; + − * / ^, comparisons, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
     sampled: (curves, samples) =>
-      `${curves} curves with ${samples} samples, as numbers. Moved samples take the place of a function.`,
+      `${curves} curves with ${samples} samples, given as numbers. Moving a sample replaces a function by numbers.`,
     give: 'Give a function instead',
     ends: { x: ['x, left', 'x, right'], z: ['z, nearest', 'z, farthest'] },
     curves: 'curves',

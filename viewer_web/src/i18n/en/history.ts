@@ -19,7 +19,7 @@ export const history: HistoryTexts = {
     `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,
   how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
   forget: 'Forget the pixel',
-  entries: 'All that concerned the pixel',
+  entries: 'Everything that concerned the pixel',
   outcomes: { pass: 'yes', fail: 'no', paint: 'painted', wrong: 'wrong', note: '' },
   painted: (step) => `Last painted at step ${step}`,
   unpainted: 'Nothing painted it.',
@@ -34,14 +34,14 @@ export const history: HistoryTexts = {
     centre: (polygon) => `${polygon} is the nearest of all that cover its centre.`,
     alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
     nearest: (polygon) =>
-      `${polygon} is nearer here than all drawn before, and nothing drawn later took the pixel.`,
+      `${polygon} is nearer here than everything drawn before, and nothing drawn later replaced it.`,
     notFarther: (polygon) =>
-      `${polygon} is here as near as all drawn before, or nearer, and nothing drawn later took the pixel.`,
+      `${polygon} is here at least as near as everything drawn before, and nothing drawn later replaced it.`,
     empty: () => 'no polygon is left in this window.',
     nothing: () => 'no polygon covers its centre.',
     beside: () => 'the only polygon in this window does not cover the centre of the pixel.',
     region: (polygon) => `its centre lies in a visible region, where ${polygon} is the nearest.`,
-    untouched: () => 'no polygon took the pixel.',
+    untouched: () => 'no polygon was drawn at this pixel.',
   },
   whyBackground: 'Why it is background:',
 };

@@ -4,7 +4,7 @@ export const outline: OutlineTexts = {
   title: 'Outline',
   tree: 'Outline of the run',
   reading: 'Reading the run…',
-  veiled: 'Not while the run stops and asks: the outline would show the answer.',
+  veiled: 'There is no outline while the run stops for questions: it would show the answer.',
   rows: (first, last) => (first === last ? `row ${first}` : `rows ${first} to ${last}`),
   noRows: 'no rows',
   edges: { one: 'edge', other: 'edges' },

@@ -90,7 +90,7 @@ export const predict: PredictTexts = {
     signs: 'Which signs are found, edge by edge, until the answer is known?',
     covers: 'Which polygons cover the point?',
     wins: 'Which one is seen?',
-    depth: 'By which depth?',
+    depth: 'Which depth decides?',
     cut: 'Which edges cross this side?',
     list: 'Which vertices does the new list have, in order?',
     leave: 'Which edges leave the list?',
