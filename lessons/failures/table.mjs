@@ -27,6 +27,10 @@ const answer = (value, { yes, no, none, range }) => {
   if (end - first === 1) return String(first);
   return first < end ? range(first, end - 1) : none;
 };
+/** What a decision is about, in each language: the page's table, which the build makes. */
+const eventTable = readFileSync(join(folder, '../../viewer_web/src/trace/event-table.ts'), 'utf8');
+const decisions = Function(`return ${eventTable.match(/decisionWords = (\{.*?\n\}) as const/su)[1]}`)();
+
 const english = { yes: 'yes', no: 'no', none: 'none', range: (first, last) => `${first} to ${last}` };
 const russian = { yes: 'да', no: 'нет', none: 'пусто', range: (first, last) => `от ${first} до ${last}` };
 
@@ -39,7 +43,7 @@ with other samples), and the place where the failure is visible. \`tests/check/f
 counts the events of a trace of level \`signs\`: it is the first wrong decision or the first visibly wrong step. \`table.mjs\`
 writes these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
-    wrong: ({ of, taken, exact }) => `\`${of}\`: ${answer(taken, english)}, exactly ${answer(exact, english)}`,
+    wrong: ({ of, taken, exact }) => `${decisions.en[of]}: ${answer(taken, english)}, exactly ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
     fault: (reason) => reason,
     endless: () => 'it does not end by itself',
@@ -59,7 +63,7 @@ writes these tables.`,
 запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
 \`table.mjs\`.`,
     head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
-    wrong: ({ of, taken, exact }) => `\`${of}\`: ${answer(taken, russian)}, точно ${answer(exact, russian)}`,
+    wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: ${answer(taken, russian)}, точно ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
     fault: (reason) => faults[reason] ?? reason,
     endless: () => 'сам не завершается',

@@ -44,7 +44,7 @@ run 'vidno figure run.jsonl --step 100 --show picture,windows,listing -o figure.
 run 'vidno figure run.jsonl --step 100 -o figure.svg && head -n 1 figure.svg | cut -c1-100'
 run 'vidno page run.jsonl scene.json -o lecture.html && ls -s --block-size=1k lecture.html'
 run 'vidno lesson check /usr/share/vidno/lessons/01-four-relations'
-run 'ls -s --block-size=1k /usr/share/man/man1/vidno.1.gz /usr/share/bash-completion/completions/vidno 2>&1 || true'
+run 'cd /usr/share && ls -s --block-size=1k man/man1/vidno.1.gz bash-completion/completions/vidno zsh/vendor-completions/_vidno'
 say "vidno chart scene.json -o chart.svg"
 if inside vidno chart scene.json -o chart.svg; then exit 1; fi
 

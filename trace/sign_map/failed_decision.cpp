@@ -23,7 +23,9 @@ double spacing_at(double coordinate) {
 MappedDecision failed_decision(const Failure& failure, const std::string& file) {
     const SeenFailure found = seen(failure);
     const auto* orient = found.event ? found.event->get_if<event::Orient>() : nullptr;
-    if (!orient) throw Refused(file + ": fails at no orientation, which a map could show: " + found.there.english);
+    constexpr const char* refusal =
+        ": a map shows on which side of an edge a point lies, and this is another failure: ";
+    if (!orient) throw Refused(file + refusal + found.there.english);
 
     const auto& vertices =
         std::get<AdmittedScene>(*failure.scene)->polygons[std::size_t(orient->polygon.index)].vertices;

@@ -304,6 +304,13 @@ describe('axes and readout', () => {
     await expect.poll(() => readout(page)).toBe('5 × 4');
   });
 
+  it('write the pixel in the format of the language', async () => {
+    const { page } = await open(browser, '#lang=ru');
+    await opened(page, 'small.jsonl', small);
+    await page.mouse.move(...(await centre(page, 4, 1)));
+    await expect.poll(() => readout(page)).toMatch(/^\(4; 1\) /);
+  });
+
   it('of the Z-buffer give the stored depth', async () => {
     const { page } = await openReader(browser, '#lang=en&trace=small.zbuffer.signs');
     await page.keyboard.press('End');

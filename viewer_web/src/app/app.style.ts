@@ -79,8 +79,8 @@ export const appStyle = css`
     }
   }
   .offer {
-    overflow: hidden;
-    text-overflow: ellipsis;
+    flex: none;
+    margin-left: auto;
     white-space: nowrap;
     min-height: 1.6rem;
     padding: 0 0.7rem;

@@ -6,7 +6,6 @@ import type { View } from '../algorithm/view.js';
 import { swatch } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import { whole } from '../language/words.js';
 import { planeOf } from '../trace/plane.js';
 import { factsAt } from './pixel-facts.js';
 import type { PixelFacts } from './pixel-facts.js';
@@ -46,7 +45,7 @@ export class ReadoutElement extends LitElement {
     const { view, at } = this;
     const { area, curves } = view.header.scene;
     if (at === null || !isIn(at, area)) return html`<span>${area.width} × ${area.height}</span>`;
-    const place = html`<span class="pixel">(${whole(at[0])}, ${whole(at[1])})</span>`;
+    const place = html`<span class="pixel">${numbersOf(view).point(at)}</span>`;
     if (curves !== null) return place;
     const facts = factsAt(view.screen, at);
     return html`${place} ${this.owner(facts)} ${this.depth(facts, at)}

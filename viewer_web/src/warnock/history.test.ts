@@ -52,7 +52,7 @@ describe('in Warnock’s algorithm', () => {
     );
     const { painter } = history;
     expect(painter && sayWhy(painter, history, 'en')).toBe(
-      'Why it is background: the only polygon in this window does not cover the centre of the pixel.',
+      'Why it is background: as this run computes it, the only polygon in this window does not cover the centre of the pixel.',
     );
   });
 

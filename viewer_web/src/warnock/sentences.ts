@@ -398,9 +398,13 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   },
   draw: {
     en: ({ polygon, runs }, words) =>
-      `${words.takes(cells(runs))} the colour of ${polygon}, in ${words.counted(runs.length, rows.en)}.`,
+      runs.length === 0
+        ? `No pixel takes the colour of ${polygon}: no centre lies in this part of it.`
+        : `${words.takes(cells(runs))} the colour of ${polygon}, in ${words.counted(runs.length, rows.en)}.`,
     ru: ({ polygon, runs }, words) =>
-      `${words.takes(cells(runs))} цвет ${polygon} в ${words.counted(runs.length, rows.ru)}.`,
+      runs.length === 0
+        ? `Ни один пиксель не получает цвет ${polygon}: в этой его части нет ни одного центра.`
+        : `${words.takes(cells(runs))} цвет ${polygon} в ${words.counted(runs.length, rows.ru)}.`,
   },
 
   back_face: {

@@ -39,7 +39,8 @@ export const history: HistoryTexts = {
       `${polygon} is here at least as near as everything drawn before, and nothing drawn later replaced it.`,
     empty: () => 'no polygon is left in this window.',
     nothing: () => 'no polygon covers its centre.',
-    beside: () => 'the only polygon in this window does not cover the centre of the pixel.',
+    beside: () =>
+      'as this run computes it, the only polygon in this window does not cover the centre of the pixel.',
     region: (polygon) => `its centre lies in a visible region, where ${polygon} is the nearest.`,
     untouched: () => 'no polygon was drawn at this pixel.',
   },

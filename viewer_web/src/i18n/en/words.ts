@@ -33,7 +33,7 @@ export const verdict: VerdictTexts = {
 };
 
 export const tour: TourTexts = {
-  offer: 'New here? Four steps show you around',
+  offer: 'New here? Take the tour',
   again: 'Show me around',
   next: 'Next',
   done: 'Done',

@@ -43,7 +43,7 @@ export const verdict: VerdictTexts = {
 };
 
 export const tour: TourTexts = {
-  offer: 'Впервые здесь? Обзор в четыре шага',
+  offer: 'Впервые здесь? Обзор',
   again: 'Показать, что здесь где',
   next: 'Дальше',
   done: 'Готово',
