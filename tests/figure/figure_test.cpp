@@ -301,6 +301,14 @@ TEST_CASE("a caption says what happens, and else what the line of the listing sa
           "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
 }
 
+TEST_CASE("a caption writes numbers in the format of its language") {
+    const TraceHeader header = header_of(near_before_far());
+    auto events = a_division();
+    events.push_back(event::Depth{Line::PC3, {1}, {4.5, 2.}, 0.125});
+    CHECK(caption_of(after(header, events), Language::english) == "B has z = 0.125 at (4.5, 2)");
+    CHECK(caption_of(after(header, events), Language::russian) == "z = 0,125 у B в точке (4,5; 2)");
+}
+
 TEST_CASE("the letters of a strip's panels") {
     CHECK(letter_of(0) == "(a)");
     CHECK(letter_of(25) == "(z)");

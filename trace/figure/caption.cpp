@@ -1,5 +1,7 @@
 #include "caption.h"
 
+#include <algorithm>
+
 #include "figure_words.h"
 #include "notation.h"
 #include "parts.h"
@@ -20,8 +22,17 @@ struct Sentence {
     }
     const Text& name(PolygonPlace polygon) const { return name(polygon.index); }
     const Text& name(int polygon) const { return state.header().scene.polygons[std::size_t(polygon)].id; }
-    Text at(const ValuePoint& point) const {
-        return "(" + readable(point.x) + say(", ", "; ") + readable(point.y) + ")";
+    /// A number in the format of the language. Semicolons then separate numbers with commas.
+    Text number(const Value& value) const {
+        Text text = readable(value);
+        if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
+        return text;
+    }
+    Text pair(const Text& x, const Text& y) const { return "(" + x + say(", ", "; ") + y + ")"; }
+    Text at(const ValuePoint& point) const { return pair(number(point.x), number(point.y)); }
+    Text at(int x, int y) const { return pair(std::to_string(x), std::to_string(y)); }
+    Text name(const Window& window) const {
+        return pair(number(window.x), number(window.y)) + " " + number(window.width) + " × " + number(window.height);
     }
     static Text listed(const std::vector<int>& edges) {
         Text text;
@@ -30,15 +41,14 @@ struct Sentence {
     }
 
     Text operator()(const event::Push& e) const {
-        return say("window " + readable(e.window) + " goes on the stack", "окно " + readable(e.window) + " — в стек");
+        return say("window " + name(e.window) + " goes on the stack", "окно " + name(e.window) + " — в стек");
     }
     Text operator()(const event::Pop& e) const {
-        return say("window " + readable(e.window) + " is taken from the stack",
-                   "из стека взято окно " + readable(e.window));
+        return say("window " + name(e.window) + " is taken from the stack", "из стека взято окно " + name(e.window));
     }
     Text operator()(const event::Skip& e) const {
-        return say("window " + readable(e.window) + " lies off the area",
-                   "окно " + readable(e.window) + " лежит вне области");
+        return say("window " + name(e.window) + " lies outside the area",
+                   "окно " + name(e.window) + " лежит вне области");
     }
     Text operator()(const event::Decide& e) const {
         switch (e.which) {
@@ -55,7 +65,7 @@ struct Sentence {
         return say(size + " pixels are filled", "заполняются " + size + " пикселей");
     }
     Text operator()(const event::Corners& e) const {
-        return say("the corner depths start at " + readable(e.z), "глубины в углах начинаются с " + readable(e.z));
+        return say("the corner depths start at " + number(e.z), "глубины в углах начинаются с " + number(e.z));
     }
     Text operator()(const event::Box& e) const {
         return e.outside ? say("the box of " + name(e.polygon) + " lies outside the window",
@@ -67,8 +77,8 @@ struct Sentence {
         return say(name(e.polygon) + " leaves the list", name(e.polygon) + " исключается из списка");
     }
     Text operator()(const event::Depth& e) const {
-        return say(name(e.polygon) + " has z = " + readable(e.z) + " at " + at(e.point),
-                   "z = " + readable(e.z) + " у " + name(e.polygon) + " в точке " + at(e.point));
+        return say(name(e.polygon) + " has z = " + number(e.z) + " at " + at(e.point),
+                   "z = " + number(e.z) + " у " + name(e.polygon) + " в точке " + at(e.point));
     }
     Text operator()(const event::Nearer& e) const {
         const auto& words = words_of(language);
@@ -89,8 +99,8 @@ struct Sentence {
                    name(e.polygon) + " ближе в некотором углу: hasSurround ложно");
     }
     Text operator()(const event::Nearest& e) const {
-        return say(name(e.polygon) + " is the nearest so far, z = " + readable(e.z),
-                   name(e.polygon) + " пока ближе всех, z = " + readable(e.z));
+        return say(name(e.polygon) + " is the nearest so far, z = " + number(e.z),
+                   name(e.polygon) + " пока ближе всех, z = " + number(e.z));
     }
     Text operator()(const event::Surround& e) const {
         return e.inside ? say(at(e.point) + " lies inside " + name(e.polygon),
@@ -105,7 +115,7 @@ struct Sentence {
         return say(name(e.polygon) + " is painted", name(e.polygon) + " закрашивается");
     }
     Text operator()(const event::Clear& e) const {
-        return say("every depth becomes " + readable(e.z), "все глубины становятся равны " + readable(e.z));
+        return say("every depth becomes " + number(e.z), "все глубины становятся равны " + number(e.z));
     }
     Text operator()(const event::Polygon& e) const {
         return say(name(e.polygon) + " is next", "следующий многоугольник — " + name(e.polygon));
@@ -118,7 +128,7 @@ struct Sentence {
         return say("edge " + edge + " joins the active edges", "ребро " + edge + " становится активным");
     }
     Text operator()(const event::AelStep& e) const {
-        const Text edge = std::to_string(e.edge), x = readable(e.x);
+        const Text edge = std::to_string(e.edge), x = number(e.x);
         return say("edge " + edge + " moves to x = " + x, "ребро " + edge + " переходит к x = " + x);
     }
     Text operator()(const event::AelDrop& e) const {
@@ -132,8 +142,8 @@ struct Sentence {
         return say("pixels " + pixels + " lie between the edges", "между рёбрами — пиксели " + pixels);
     }
     Text operator()(const event::Pixel& e) const {
-        const Text pixel = "(" + std::to_string(e.x) + say(", ", "; ") + std::to_string(e.y) + ")";
-        const Text compared = readable(e.z) + (e.shown ? " > " : " ≯ ") + readable(e.stored);
+        const Text pixel = at(e.x, e.y);
+        const Text compared = number(e.z) + (e.shown ? " > " : " ≯ ") + number(e.stored);
         return e.shown
                    ? say("pixel " + pixel + " is painted: " + compared, "пиксель " + pixel + " красится: " + compared)
                    : say("pixel " + pixel + " stays: " + compared, "пиксель " + pixel + " остаётся: " + compared);

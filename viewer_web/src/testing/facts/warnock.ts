@@ -176,7 +176,8 @@ export const warnockFacts: Facts<WindowEvent> = {
       numbers: [row, left, right, ...columns],
     };
   },
-  draw: ({ polygon, runs }) => of(polygon, total(runs), runs.length),
+  draw: ({ polygon, runs }) =>
+    runs.length === 0 ? of(polygon) : of(polygon, total(runs), runs.length),
 };
 
 const range = (answer: unknown): readonly number[] => {
