@@ -139,7 +139,7 @@ describe('the outline', () => {
     await press(page, 'q');
     await page.locator('vidno-predict .force').check();
     await press(page, 't');
-    await page.locator('vidno-outline', { hasText: 'the outline would show the answer' }).waitFor();
+    await page.locator('vidno-outline', { hasText: 'it would show the answer' }).waitFor();
     expect(await page.locator('vidno-outline [role=tree]').count()).toBe(0);
   });
 });

@@ -80,7 +80,6 @@ export const appStyle = css`
   }
   .offer {
     flex: none;
-    margin-left: auto;
     white-space: nowrap;
     min-height: 1.6rem;
     padding: 0 0.7rem;
