@@ -30,34 +30,39 @@ namespace {
 using PolygonAtPixel = std::tuple<int, int, int>;  // a polygon, x, y
 using PolygonOnRow = std::pair<int, int>;          // a polygon, y
 
-/// How many equal heights the Z-buffer finds as it lists the edges of a polygon: twice the ends of a level edge, once more if they are one point, the lower ends that are
-/// the lowest, and, in a stable insertion sort, each edge that is not the first of its height.
-int equal_heights(const ScenePolygon& polygon) {
+double lowest_of(const ScenePolygon& polygon) {
     const auto& v = polygon.vertices;
-    const double lowest =
-        std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
+    return std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
+}
+
+/// visit(from, to) for each edge.
+void for_each_edge(const ScenePolygon& polygon, auto&& visit) {
+    const auto& v = polygon.vertices;
+    for (std::size_t i = 0; i < v.size(); ++i) visit(v[i], v[(i + 1) % v.size()]);
+}
+
+/// How many equal heights the Z-buffer finds as it lists the edges of a polygon: two for a level edge, and one more if it is a point; one
+/// for a lower end that is the lowest; and, in a stable insertion sort, one for each edge that is not the first of its height.
+int equal_heights(const ScenePolygon& polygon) {
+    const double lowest = lowest_of(polygon);
     std::set<double> heights;
-    int found = int(v.size());
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        const auto& from = v[i];
-        const auto& to = v[(i + 1) % v.size()];
+    int found = int(polygon.vertices.size());
+    for_each_edge(polygon, [&](const auto& from, const auto& to) {
         if (from.y == to.y) found += from.x == to.x ? 3 : 2;
         if (std::max(from.y, to.y) == lowest) ++found;
         heights.insert(std::min(from.y, to.y));
-    }
+    });
     return found - int(heights.size());
 }
 
 /// The level edges at the foot of a polygon, if a centre line of the area runs through them.
 int level_edges_at_foot(const Area& area, const ScenePolygon& polygon) {
-    const auto& v = polygon.vertices;
-    const double lowest =
-        std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
+    const double lowest = lowest_of(polygon);
     const bool is_centre = lowest - std::floor(lowest) == 0.5 && lowest > area.y && lowest < area.bottom();
     int found = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        found += is_centre && v[i].y == lowest && v[(i + 1) % v.size()].y == lowest ? 1 : 0;
-    }
+    for_each_edge(polygon, [&](const auto& from, const auto& to) {
+        found += is_centre && from.y == lowest && to.y == lowest ? 1 : 0;
+    });
     return found;
 }
 
