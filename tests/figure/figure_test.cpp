@@ -556,7 +556,7 @@ TEST_CASE("a strip has its captions, and each part at one height in all panels")
     CHECK(heads[0].y == heads[1].y);
     CHECK(has_text(strip, "(a) window (8, 8) 8 × 8 is taken from the stack"));
     CHECK(has_text(strip, "(b) 8 × 8 pixels are filled"));
-    CHECK(has_text(strip_of_all({.language = Language::russian}), "(a) из стека взято окно (8, 8) 8 × 8"));
+    CHECK(has_text(strip_of_all({.language = Language::russian}), "(a) из стека взято окно (8; 8) 8 × 8"));
 }
 
 TEST_CASE("no line is thinner than 0.25 points") {
