@@ -24,18 +24,12 @@ using namespace vidno::test;
 
 namespace {
 
-PointOnLine point_on_line(const Finding& finding) {
-    const Rational a = exact_operand(finding, "line.a"), b = exact_operand(finding, "line.b");
-    const Rational c = a * exact_operand(finding, "line.x") + b * exact_operand(finding, "line.y");
-    return {{exact_operand(finding, "p.x"), exact_operand(finding, "p.y")}, line(a, b, c)};
-}
-
 /// The coincidences among the zeros of RegionClip at the steps begin < step <= end.
 Coincidences listed_in_clip(const std::vector<Finding>& zeros, std::uint64_t begin, std::uint64_t end) {
     Coincidences listed;
     for (const auto& each : zeros) {
         if (each.step <= begin || each.step > end || each.procedure != Procedure::region_clip) continue;
-        if (has_operand(each, "line.a")) listed.on_lines.insert(point_on_line(each));
+        if (has_operand(each, "line.a")) listed.on_lines.insert(point_on_line_of(each));
         if (each.gap->if_zero == Coincidence::shared_points) {
             listed.common.emplace(exact_operand(each, "p.x"), exact_operand(each, "p.y"));
         }
@@ -120,45 +114,6 @@ AdmittedScene rectangles_side_by_side(RandomScenes& random) {
 }
 
 }  // namespace
-
-TEST_CASE(
-    "On 1,000 scenes the zeros of RegionClip are the vertices on the other polygon's lines, and those in common") {
-    RandomScenes random(29);
-    std::size_t on_lines = 0, common = 0, equal_depths = 0;
-    for (int i = 0; i < 1000 / thinning; ++i) {
-        CAPTURE(i);
-        const AdmittedScene scene = two_level_polygons(random);
-        // Which polygon clips the other, and at which step; none if their boxes are apart.
-        std::optional<PolygonPlace> clip;
-        std::uint64_t begin = 0;
-        hear_run(scene, Method::weiler_atherton, [&](std::uint64_t step, const EventView& event) {
-            if (const auto* list = event.get_if<event::PopList>(); list && list->count == 2) clip = list->clip;
-            const auto* call = event.get_if<event::Call>();
-            if (call && call->at == Line::WA5) begin = step;
-        });
-        REQUIRE(clip);
-        const auto outlines = std::array{outline_of(scene->polygons[0]), outline_of(scene->polygons[1])};
-        const auto other = std::size_t(1 - clip->index);
-        const Coincidences expected =
-            begin == 0 ? Coincidences{} : coincidences({outlines[other]}, {outlines[std::size_t(clip->index)]});
-
-        const auto zeros = of_kind(checked(scene, Method::weiler_atherton, "filtered", 0), FindingKind::zero);
-        const Coincidences listed = begin == 0 ? Coincidences{} : listed_in_clip(zeros, begin, zeros.back().step);
-        const auto depths = std::count_if(zeros.begin(), zeros.end(),
-                                          [](const auto& each) { return each.procedure == Procedure::remove_behind; });
-        CHECK(listed.on_lines == expected.on_lines);
-        CHECK(listed.common == expected.common);
-        // Where they overlap, level polygons are equally near if their depths are equal.
-        const bool is_level = scene->polygons[0].vertices[0].z == scene->polygons[1].vertices[0].z;
-        CHECK(depths == (is_level && overlap(outlines[0], outlines[1]) ? 1 : 0));
-        on_lines += expected.on_lines.size();
-        common += expected.common.size();
-        equal_depths += std::size_t(depths);
-    }
-    CHECK(on_lines > 1000 / thinning);
-    CHECK(common > 100 / thinning);
-    CHECK(equal_depths > 100 / thinning);
-}
 
 TEST_CASE("On 1,000 scenes of a polygon alone PaintRegions has its zeros at the pixel centres at its ends") {
     RandomScenes random(30);
@@ -249,7 +204,7 @@ TEST_CASE(
         int listed_parallel = 0;
         for (const auto& each : of_kind(checked(scene, Method::weiler_atherton, "filtered", 0), FindingKind::zero)) {
             if (each.procedure != Procedure::split_piercing) continue;
-            if (each.gap->if_zero == Coincidence::point_on_line) listed.insert(point_on_line(each));
+            if (each.gap->if_zero == Coincidence::point_on_line) listed.insert(point_on_line_of(each));
             if (each.gap->if_zero == Coincidence::parallel_lines) ++listed_parallel;
         }
         CHECK(listed == expected);

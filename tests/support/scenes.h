@@ -86,27 +86,6 @@ struct RandomScenes : RandomPolygons {
     }
 };
 
-/// Two level polygons strictly inside the area, with corners on few whole numbers.
-inline AdmittedScene two_level_polygons(RandomScenes& random) {
-    SceneBuilder builder({0, 0, 8, 8});
-    for (int i = 0; i < 2; ++i) {
-        const double z = random.whole(0, 1) / 4.;
-        const auto at = [&] { return double(random.whole(1, 7)); };
-        if (random.whole(0, 2) == 0) {
-            const double left = random.whole(1, 5), top = random.whole(1, 5);
-            builder.quad(left, top, left + random.whole(1, 7 - int(left)), top + random.whole(1, 7 - int(top)), z);
-            continue;
-        }
-        Corners corners;
-        do {
-            corners = {{at(), at(), z}, {at(), at(), z}, {at(), at(), z}};
-        } while ((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) ==
-                 (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
-        builder.polygon(corners);
-    }
-    return builder.build();
-}
-
 /// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. None if a polygon is no longer admitted.
 inline std::optional<AdmittedScene> moved_by_ulps(Scene scene, RandomScenes& random) {
     for (auto& polygon : scene.polygons) {

@@ -13,6 +13,7 @@
 
 #include "run/run.h"
 #include "support/checked.h"
+#include "support/outlines.h"
 #include "support/scenes.h"
 #include "vidno/kernels/exact.h"
 
@@ -78,6 +79,13 @@ inline Rational exact_operand(const Finding& finding, const std::string& name) {
 inline bool has_operand(const Finding& finding, const std::string& name) {
     const auto& operands = finding.decision.operands;
     return std::any_of(operands.begin(), operands.end(), [&](const Operand& each) { return each.name == name; });
+}
+
+/// The operands of a finding on which side of a line a point lies.
+inline PointOnLine point_on_line_of(const Finding& finding) {
+    const Rational a = exact_operand(finding, "line.a"), b = exact_operand(finding, "line.b");
+    const Rational c = a * exact_operand(finding, "line.x") + b * exact_operand(finding, "line.y");
+    return {{exact_operand(finding, "p.x"), exact_operand(finding, "p.y")}, line(a, b, c)};
 }
 
 /// In every other scene a polygon is there twice.

@@ -1,15 +1,17 @@
-// The points and numbers that Weiler and Atherton's algorithm finds equal, against a count in rationals that uses the scene and the picture
-// rule. The zeros with a meaning in geometry are counted in region_coincidences_test.cpp.
+// All exact zeros that the list of decisions has for Weiler and Atherton's algorithm in scenes of two level polygons, against a count in
+// rationals that uses the scene and the picture rule. region_coincidences_test.cpp counts those of other scenes, kind by kind.
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,15 +25,46 @@ using namespace vidno::test;
 
 namespace {
 
-struct EqualNumbers {
+/// Two level polygons strictly inside the area, with corners on few whole numbers.
+AdmittedScene two_level_polygons(RandomScenes& random) {
+    SceneBuilder builder({0, 0, 8, 8});
+    for (int i = 0; i < 2; ++i) {
+        const double z = random.whole(0, 1) / 4.;
+        const auto at = [&] { return double(random.whole(1, 7)); };
+        if (random.whole(0, 2) == 0) {
+            const double left = random.whole(1, 5), top = random.whole(1, 5);
+            builder.quad(left, top, left + random.whole(1, 7 - int(left)), top + random.whole(1, 7 - int(top)), z);
+            continue;
+        }
+        Corners corners;
+        do {
+            corners = {{at(), at(), z}, {at(), at(), z}, {at(), at(), z}};
+        } while ((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) ==
+                 (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
+        builder.polygon(corners);
+    }
+    return builder.build();
+}
+
+using Pixels = std::set<std::pair<int, int>>;
+
+struct Zeros {
+    /// Vertices on lines of the other polygon.
+    std::set<PointOnLine> on_lines;
     /// Ends of two edges, or vertices of two regions.
     std::set<Place> common;
     /// Sides of two boxes that touch.
     std::set<Rational> of_boxes;
     /// The y of a vertex, and of the middle of a piece of an edge.
     std::set<Rational> on_rays;
-    /// Such sides, too; the y of a vertex on a row of centres, and the x at which two edges meet there.
+    /// Sides of boxes, too; the y of a vertex on a row of centres, and the x at which two edges meet there.
     std::set<Rational> at_painting;
+    /// Centres at the end of a visible region on its row.
+    Pixels at_ends;
+    /// Centres of the second polygon's region, in the box of the first, where both are equally near; and those on the first one's outline.
+    Pixels equally_near, on_outlines;
+    /// Equal depths in DepthSort and in RemoveBehind, and parallel planes.
+    int of_sort = 0, of_planes = 0, parallel = 0;
 };
 
 struct BoxOf {
@@ -113,10 +146,12 @@ void add_vertices_on_rays(const Outlines& cut, const Outlines& cutting, std::set
     }
 }
 
-void add_clip(const Places& subject, const Places& clip, EqualNumbers& found) {
+void add_clip(const Places& subject, const Places& clip, Zeros& found) {
     add_vertices_on_rays({subject}, {clip}, found.on_rays);
     add_vertices_on_rays({clip}, {subject}, found.on_rays);
-    found.common.merge(coincidences({subject}, {clip}).common);
+    Coincidences coincident = coincidences({subject}, {clip});
+    found.on_lines.merge(coincident.on_lines);
+    found.common.merge(coincident.common);
 }
 
 bool is_centre_of_row(const Area& area, const Rational& y) {
@@ -144,10 +179,25 @@ void add_vertices_on_rows(const Area& area, const Places& subject, const Places&
     }
 }
 
-/// Of two level polygons strictly inside the area, with corners at whole numbers.
-EqualNumbers equal_numbers(const Scene& scene) {
-    EqualNumbers found;
+bool is_on_outline(const Places& outline, const Place& place) {
+    const auto edges = edges_of({outline});
+    return std::any_of(edges.begin(), edges.end(), [&](const EdgeOf& edge) { return is_on(edge, place); });
+}
+
+/// Whether a closed convex outline holds a place.
+bool holds(const Places& outline, const Place& place) {
+    const Rational turn = cross(outline[0], outline[1], outline[2]);
+    const auto edges = edges_of({outline});
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const EdgeOf& edge) { return cross(edge.from, edge.to, place) * turn >= 0; });
+}
+
+/// The scene has two level polygons strictly inside the area, with corners at whole numbers.
+Zeros expected_zeros(const Scene& scene) {
+    Zeros found;
     const std::array outlines{outline_of(scene.polygons[0]), outline_of(scene.polygons[1])};
+    const std::array boxes{box_of({outlines[0]}), box_of({outlines[1]})};
+    const double z = scene.polygons[0].vertices[0].z, other_z = scene.polygons[1].vertices[0].z;
     const Area& area = scene.area;
     const Places whole{
         {area.x, area.y}, {area.right(), area.y}, {area.right(), area.bottom()}, {area.x, area.bottom()}};
@@ -162,17 +212,18 @@ EqualNumbers equal_numbers(const Scene& scene) {
     }
     for (const auto& outline : outlines) add_clip(outline, whole, found);
 
-    const std::array boxes{box_of({outlines[0]}), box_of({outlines[1]})};
-    lie_apart(boxes[1], boxes[0], found.of_boxes);
+    if (!lie_apart(boxes[1], boxes[0], found.of_boxes)) found.parallel = 1;
+    // All vertices of a polygon are as deep as its first one.
+    found.of_sort = int(outlines[0].size() - 1 + outlines[1].size() - 1) + (z == other_z ? 1 : 0);
 
     // The nearer one clips the other.
-    const auto nearer = std::size_t(scene.polygons[0].vertices[0].z < scene.polygons[1].vertices[0].z);
-    const std::size_t farther = 1 - nearer;
+    const auto nearer = std::size_t(z < other_z), farther = 1 - nearer;
     std::vector<Places> visible{outlines[farther]};
     if (!lie_apart(boxes[farther], boxes[nearer], found.of_boxes)) {
         add_clip(outlines[farther], outlines[nearer], found);
         add_vertices_on_rows(area, outlines[farther], outlines[nearer], found.at_painting);
         visible = difference(outlines[farther], outlines[nearer]);
+        if (z == other_z && overlap(outlines[0], outlines[1])) found.of_planes = 1;
     }
     // What is visible of the second is compared with the first, which may be equally near.
     if (farther == 0) {
@@ -180,25 +231,60 @@ EqualNumbers equal_numbers(const Scene& scene) {
     } else if (!visible.empty()) {
         lie_apart(boxes[0], box_of(visible), found.at_painting);
     }
+    for (int y = area.y; y < area.bottom(); ++y) {
+        for (int x = area.x; x < area.right(); ++x) {
+            const Place centre{Rational(x) + half, Rational(y) + half};
+            const bool is_visible =
+                std::any_of(visible.begin(), visible.end(), [&](const Places& part) { return holds(part, centre); });
+            const bool is_on_first = is_on_outline(outlines[0], centre),
+                       is_on_second = is_on_outline(outlines[1], centre);
+            if (is_visible && (is_on_first || is_on_second)) found.at_ends.emplace(x, y);
+            if (nearer == 0 ? is_on_first : is_on_second) found.at_ends.emplace(x, y);
+            const auto& [xmin, ymin, xmax, ymax] = boxes[0];
+            const bool is_in_box =
+                xmin <= centre.first && centre.first <= xmax && ymin <= centre.second && centre.second <= ymax;
+            if (z != other_z || !is_visible || !is_in_box) continue;
+            found.equally_near.emplace(x, y);
+            if (is_on_first) found.on_outlines.emplace(x, y);
+        }
+    }
     return found;
 }
 
-EqualNumbers listed_numbers(const std::vector<Finding>& zeros) {
-    EqualNumbers listed;
+Zeros listed_zeros(const std::vector<Finding>& zeros) {
+    using enum Procedure;
+    using enum Coincidence;
+    Zeros listed;
     for (const auto& each : zeros) {
-        CHECK_FALSE(has_operand(each, "pivot.x"));  // where the two outlines touch, no other edge goes straight on
-        if (each.gap->if_zero == Coincidence::shared_points) {
+        const auto is = [&](Procedure procedure, Coincidence coincidence) {
+            return each.procedure == procedure && each.gap->if_zero == coincidence;
+        };
+        const std::pair pixel{each.pixels.x, each.pixels.y};
+        if (each.gap->if_zero == shared_points) {
             listed.common.emplace(exact_operand(each, "p.x"), exact_operand(each, "p.y"));
-        }
-        if (each.gap->if_zero != Coincidence::equal_numbers) continue;
-        const Rational number = exact_operand(each, "a");
-        switch (each.procedure) {
-            case Procedure::weiler_atherton:
-            case Procedure::split_piercing: listed.of_boxes.insert(number); break;
-            case Procedure::region_clip: listed.on_rays.insert(number); break;
-            case Procedure::paint_regions: listed.at_painting.insert(number); break;
-            case Procedure::depth_sort: break;  // depths
-            default: FAIL("equal numbers at step " << each.step);
+        } else if (is(region_clip, point_on_line)) {
+            listed.on_lines.insert(point_on_line_of(each));
+        } else if (is(weiler_atherton, equal_numbers) || is(split_piercing, equal_numbers)) {
+            listed.of_boxes.insert(exact_operand(each, "a"));
+        } else if (is(region_clip, equal_numbers)) {
+            listed.on_rays.insert(exact_operand(each, "a"));
+        } else if (is(paint_regions, equal_numbers)) {
+            listed.at_painting.insert(exact_operand(each, "a"));
+        } else if (is(paint_regions, on_pixel_centre)) {
+            listed.at_ends.insert(pixel);
+        } else if (is(paint_regions, equal_depths)) {
+            listed.equally_near.insert(pixel);
+        } else if (is(paint_regions, point_on_line)) {
+            listed.on_outlines.emplace(int(std::floor(CGAL::to_double(exact_operand(each, "p.x")))),
+                                       int(std::floor(CGAL::to_double(exact_operand(each, "p.y")))));
+        } else if (is(depth_sort, equal_numbers)) {
+            ++listed.of_sort;
+        } else if (is(remove_behind, equal_depths)) {
+            ++listed.of_planes;
+        } else if (is(split_piercing, parallel_lines)) {
+            ++listed.parallel;
+        } else {
+            FAIL("an uncounted kind at step " << each.step);
         }
     }
     return listed;
@@ -206,26 +292,41 @@ EqualNumbers listed_numbers(const std::vector<Finding>& zeros) {
 
 }  // namespace
 
-TEST_CASE("On 1,000 scenes of two level polygons the equal points and numbers are those of their outlines") {
+TEST_CASE("On 1,000 scenes of two level polygons the zeros are those of the scene") {
     RandomScenes random(53);
-    std::size_t common = 0, boxes = 0, on_rays = 0, at_painting = 0;
+    std::map<std::string, std::size_t> counts;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);
         const AdmittedScene scene = two_level_polygons(random);
-        const EqualNumbers expected = equal_numbers(*scene);
-        const EqualNumbers listed =
-            listed_numbers(of_kind(checked(scene, Method::weiler_atherton, "filtered", 0), FindingKind::zero));
+        const Zeros expected = expected_zeros(*scene);
+        const Zeros listed =
+            listed_zeros(of_kind(checked(scene, Method::weiler_atherton, "filtered", 0), FindingKind::zero));
+        CHECK(listed.on_lines == expected.on_lines);
         CHECK(listed.common == expected.common);
         CHECK(listed.of_boxes == expected.of_boxes);
         CHECK(listed.on_rays == expected.on_rays);
         CHECK(listed.at_painting == expected.at_painting);
-        common += expected.common.size();
-        boxes += expected.of_boxes.size();
-        on_rays += expected.on_rays.size();
-        at_painting += expected.at_painting.size();
+        CHECK(listed.at_ends == expected.at_ends);
+        CHECK(listed.equally_near == expected.equally_near);
+        CHECK(listed.on_outlines == expected.on_outlines);
+        CHECK(listed.of_sort == expected.of_sort);
+        CHECK(listed.of_planes == expected.of_planes);
+        CHECK(listed.parallel == expected.parallel);
+        counts["on lines"] += expected.on_lines.size();
+        counts["common"] += expected.common.size();
+        counts["boxes"] += expected.of_boxes.size();
+        counts["on rays"] += expected.on_rays.size();
+        counts["at painting"] += expected.at_painting.size();
+        counts["at ends"] += expected.at_ends.size();
+        counts["equally near"] += expected.equally_near.size();
+        counts["on outlines"] += expected.on_outlines.size();
+        counts["of planes"] += std::size_t(expected.of_planes);
     }
-    CHECK(common > 1000 / thinning);
-    CHECK(boxes > 100 / thinning);
-    CHECK(on_rays > 300 / thinning);
-    CHECK(at_painting > 300 / thinning);
+    for (const auto& [kind, count] : counts) {
+        CAPTURE(kind);
+        CHECK(count > 100 / thinning);
+    }
+    CHECK(counts["common"] > 1000 / thinning);
+    CHECK(counts["on lines"] > 1000 / thinning);
+    CHECK(counts["at ends"] > 1000 / thinning);
 }
