@@ -322,9 +322,9 @@ TEST_CASE("On 1,000 scenes of two level polygons the zeros are those of the scen
         counts["on outlines"] += expected.on_outlines.size();
         counts["of planes"] += std::size_t(expected.of_planes);
     }
-    for (const auto& [kind, count] : counts) {
-        CAPTURE(kind);
-        CHECK(count > 100 / thinning);
+    for (const auto& each : counts) {
+        CAPTURE(each.first);
+        CHECK(each.second > 100 / thinning);
     }
     CHECK(counts["common"] > 1000 / thinning);
     CHECK(counts["on lines"] > 1000 / thinning);
