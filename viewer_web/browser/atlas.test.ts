@@ -239,7 +239,9 @@ describe('a failure file of the reader’s own', () => {
   it('is opened as a file, at its step', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(page, 'own.json', text('clip-pixel.json'));
-    await page.locator('vidno-failure-note .there', { hasText: 'the columns: 15, exactly 14 to 15' }).waitFor();
+    await page
+      .locator('vidno-failure-note .there', { hasText: 'the columns: 15, exactly 14 to 15' })
+      .waitFor();
     expect((await shown(page)).step).toBe(74);
     expect(faults).toEqual([]);
   });

@@ -167,7 +167,7 @@ describe('the lens', () => {
     await goTo(page, first);
     await page.locator('h1').click();
     await page.keyboard.press('x');
-    await panel(page, '.hint').getByText('There is no map').waitFor();
+    await panel(page, '.hint').getByText('This decision has no map').waitFor();
     await goTo(page, 1);
     await panel(page, '.hint').getByText('No numeric decision').waitFor();
     await page.locator('h1').click();

@@ -146,7 +146,7 @@ describe('a long operation does not block the page', () => {
     const { length } = await shown(page);
     expect(length).toBeGreaterThan(0);
     expect(length).toBeLessThan(skips.length);
-    expect(await notice.textContent()).toContain(`after line ${length + 1}:`);
+    expect(await notice.textContent()).toContain(`after line ${length + 1}.`);
     await page.keyboard.press('End');
     expect((await shown(page)).step).toBe(length);
     expect(faults).toEqual([]);
