@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "support/checked.h"
 #include "support/curves.h"
 #include "support/in_rationals.h"
+#include "support/outlines.h"
 #include "support/random_curves.h"
 #include "support/scenes.h"
 #include "support/zeros.h"
@@ -30,38 +30,32 @@ namespace {
 using PolygonAtPixel = std::tuple<int, int, int>;  // a polygon, x, y
 using PolygonOnRow = std::pair<int, int>;          // a polygon, y
 
-double lowest_of(const ScenePolygon& polygon) {
-    const auto& v = polygon.vertices;
-    return std::max_element(v.begin(), v.end(), [](const auto& p, const auto& q) { return p.y < q.y; })->y;
-}
-
-/// visit(from, to) for each edge.
-void for_each_edge(const ScenePolygon& polygon, auto&& visit) {
-    const auto& v = polygon.vertices;
-    for (std::size_t i = 0; i < v.size(); ++i) visit(v[i], v[(i + 1) % v.size()]);
+Rational lowest_of(const Places& outline) {
+    const auto by_y = [](const Place& p, const Place& q) { return p.second < q.second; };
+    return std::max_element(outline.begin(), outline.end(), by_y)->second;
 }
 
 /// How many equal heights the Z-buffer finds as it lists the edges of a polygon: two for a level edge, and one more if it is a point; one
 /// for a lower end that is the lowest; and, in a stable insertion sort, one for each edge that is not the first of its height.
-int equal_heights(const ScenePolygon& polygon) {
-    const double lowest = lowest_of(polygon);
-    std::set<double> heights;
-    int found = int(polygon.vertices.size());
-    for_each_edge(polygon, [&](const auto& from, const auto& to) {
-        if (from.y == to.y) found += from.x == to.x ? 3 : 2;
-        if (std::max(from.y, to.y) == lowest) ++found;
-        heights.insert(std::min(from.y, to.y));
+int equal_heights(const Places& outline) {
+    const Rational lowest = lowest_of(outline);
+    std::set<Rational> heights;
+    int found = int(outline.size());
+    for_each_edge_of(outline, [&](const Place& from, const Place& to) {
+        if (from.second == to.second) found += from == to ? 3 : 2;
+        if (std::max(from.second, to.second) == lowest) ++found;
+        heights.insert(std::min(from.second, to.second));
     });
     return found - int(heights.size());
 }
 
 /// The level edges at the foot of a polygon, if a centre line of the area runs through them.
-int level_edges_at_foot(const Area& area, const ScenePolygon& polygon) {
-    const double lowest = lowest_of(polygon);
-    const bool is_centre = lowest - std::floor(lowest) == 0.5 && lowest > area.y && lowest < area.bottom();
+int level_edges_at_foot(const Area& area, const Places& outline) {
+    const Rational lowest = lowest_of(outline);
+    if (!is_centre_of_row(area, lowest)) return 0;
     int found = 0;
-    for_each_edge(polygon, [&](const auto& from, const auto& to) {
-        found += is_centre && from.y == lowest && to.y == lowest ? 1 : 0;
+    for_each_edge_of(outline, [&](const Place& from, const Place& to) {
+        found += from.second == lowest && to.second == lowest ? 1 : 0;
     });
     return found;
 }
@@ -144,8 +138,9 @@ TEST_CASE(
         for (int p = 0; p < int(scene->polygons.size()); ++p) {
             const auto& polygon = scene->polygons[std::size_t(p)];
             if (polygon.edge_on) continue;
-            at_edges[p] = equal_heights(polygon);
-            if (const int found = level_edges_at_foot(scene->area, polygon)) at_foot[p] = found;
+            const Places outline = outline_of(polygon);
+            at_edges[p] = equal_heights(outline);
+            if (const int found = level_edges_at_foot(scene->area, outline)) at_foot[p] = found;
             level += std::size_t(at_foot.contains(p));
             heights += std::size_t(at_edges[p]);
         }

@@ -32,15 +32,16 @@ AdmittedScene two_level_polygons(RandomScenes& random) {
         const double z = random.whole(0, 1) / 4.;
         const auto at = [&] { return double(random.whole(1, 7)); };
         if (random.whole(0, 2) == 0) {
-            const double left = random.whole(1, 5), top = random.whole(1, 5);
-            builder.quad(left, top, left + random.whole(1, 7 - int(left)), top + random.whole(1, 7 - int(top)), z);
+            const int left = random.whole(1, 5), top = random.whole(1, 5);
+            // Not as arguments, which each compiler evaluates in its own order.
+            const int width = random.whole(1, 7 - left), height = random.whole(1, 7 - top);
+            builder.quad(left, top, left + width, top + height, z);
             continue;
         }
         Corners corners;
         do {
             corners = {{at(), at(), z}, {at(), at(), z}, {at(), at(), z}};
-        } while ((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) ==
-                 (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
+        } while (cross(place_of(corners[0]), place_of(corners[1]), place_of(corners[2])) == 0);
         builder.polygon(corners);
     }
     return builder.build();
@@ -66,22 +67,6 @@ struct Zeros {
     /// Equal depths in DepthSort and in RemoveBehind, and parallel planes.
     int of_sort = 0, of_planes = 0, parallel = 0;
 };
-
-struct BoxOf {
-    Rational xmin, ymin, xmax, ymax;
-};
-
-BoxOf box_of(const std::vector<Places>& outlines) {
-    const Place& first = outlines.at(0).at(0);
-    BoxOf box{first.first, first.second, first.first, first.second};
-    for (const auto& outline : outlines) {
-        for (const auto& [x, y] : outline) {
-            box = {std::min<Rational>(box.xmin, x), std::min<Rational>(box.ymin, y), std::max<Rational>(box.xmax, x),
-                   std::max<Rational>(box.ymax, y)};
-        }
-    }
-    return box;
-}
 
 /// Adds the sides that touch, up to the first by which the boxes lie apart. Returns whether they do.
 bool lie_apart(const BoxOf& p, const BoxOf& q, std::set<Rational>& touching) {
@@ -120,11 +105,6 @@ std::optional<Place> crossing(const EdgeOf& e, const EdgeOf& f) {
                  e.from.second + (e.to.second - e.from.second) * part};
 }
 
-bool is_on(const EdgeOf& edge, const Place& place) {
-    const auto& [low, high] = std::minmax(edge.from, edge.to);
-    return cross(edge.from, edge.to, place) == 0 && low <= place && place <= high;
-}
-
 /// The vertices of one region on the rays from the middles of the pieces into which it cuts the edges of another one. Pieces on its
 /// outline have no ray.
 void add_vertices_on_rays(const Outlines& cut, const Outlines& cutting, std::set<Rational>& on_rays) {
@@ -132,12 +112,12 @@ void add_vertices_on_rays(const Outlines& cut, const Outlines& cutting, std::set
     for (const auto& edge : edges_of(cut)) {
         std::set<Place> ends{edge.from, edge.to};
         for (const auto& other : cutting_edges) {
-            if (is_on(edge, other.from)) ends.insert(other.from);
+            if (edge.holds(other.from)) ends.insert(other.from);
             if (const auto at = crossing(edge, other)) ends.insert(*at);
         }
         for (auto from = ends.begin(), to = std::next(from); to != ends.end(); ++from, ++to) {
             const Place middle{(from->first + to->first) / 2, (from->second + to->second) / 2};
-            const auto holds_middle = [&](const EdgeOf& other) { return is_on(other, middle); };
+            const auto holds_middle = [&](const EdgeOf& other) { return other.holds(middle); };
             if (std::any_of(cutting_edges.begin(), cutting_edges.end(), holds_middle)) continue;
             for (const auto& other : cutting_edges) {
                 if (other.from.second == middle.second) on_rays.insert(middle.second);
@@ -152,13 +132,6 @@ void add_clip(const Places& subject, const Places& clip, Zeros& found) {
     Coincidences coincident = coincidences({subject}, {clip});
     found.on_lines.merge(coincident.on_lines);
     found.common.merge(coincident.common);
-}
-
-bool is_centre_of_row(const Area& area, const Rational& y) {
-    for (int row = area.y; row < area.bottom(); ++row) {
-        if (y == Rational(row) + half) return true;
-    }
-    return false;
 }
 
 /// The vertices of a difference on the centre lines of rows. They are crossings, since the polygons' corners are between rows.
@@ -181,7 +154,7 @@ void add_vertices_on_rows(const Area& area, const Places& subject, const Places&
 
 bool is_on_outline(const Places& outline, const Place& place) {
     const auto edges = edges_of({outline});
-    return std::any_of(edges.begin(), edges.end(), [&](const EdgeOf& edge) { return is_on(edge, place); });
+    return std::any_of(edges.begin(), edges.end(), [&](const EdgeOf& edge) { return edge.holds(place); });
 }
 
 /// Whether a closed convex outline holds a place.
@@ -293,7 +266,7 @@ Zeros listed_zeros(const std::vector<Finding>& zeros) {
 }  // namespace
 
 TEST_CASE("On 1,000 scenes of two level polygons the zeros are those of the scene") {
-    RandomScenes random(53);
+    RandomScenes random(56);
     std::map<std::string, std::size_t> counts;
     for (int i = 0; i < 1000 / thinning; ++i) {
         CAPTURE(i);

@@ -35,6 +35,12 @@ struct EdgeOf {
     LineThrough line() const { return line_through(from, to); }
     bool has(const Place& p) const { return p == from || p == to; }
     bool is_same_as(const EdgeOf& other) const { return has(other.from) && has(other.to); }
+
+    /// Whether the closed edge holds a place.
+    bool holds(const Place& place) const {
+        const auto& [low, high] = std::minmax(from, to);
+        return cross(from, to, place) == 0 && low <= place && place <= high;
+    }
 };
 
 /// A region by its outlines, holes included.
@@ -142,22 +148,33 @@ inline Places common_part(const Places& p, const Places& q) {
     return inside;
 }
 
-inline bool boxes_overlap(const Places& p, const Places& q) {
-    const auto range = [](const Places& places, auto coordinate) {
-        Rational least = coordinate(places[0]), greatest = least;
-        for (const auto& each : places) {
-            least = std::min<Rational>(least, coordinate(each));
-            greatest = std::max<Rational>(greatest, coordinate(each));
+struct BoxOf {
+    Rational xmin, ymin, xmax, ymax;
+};
+
+inline BoxOf box_of(const Outlines& outlines) {
+    const Place& first = outlines.at(0).at(0);
+    BoxOf box{first.first, first.second, first.first, first.second};
+    for (const auto& outline : outlines) {
+        for (const auto& [x, y] : outline) {
+            box = {std::min<Rational>(box.xmin, x), std::min<Rational>(box.ymin, y), std::max<Rational>(box.xmax, x),
+                   std::max<Rational>(box.ymax, y)};
         }
-        return std::pair(least, greatest);
-    };
-    const auto overlap_in = [&](auto coordinate) {
-        const auto [p_low, p_high] = range(p, coordinate);
-        const auto [q_low, q_high] = range(q, coordinate);
-        return p_low < q_high && q_low < p_high;
-    };
-    return overlap_in([](const Place& each) { return each.first; }) &&
-           overlap_in([](const Place& each) { return each.second; });
+    }
+    return box;
+}
+
+inline bool boxes_overlap(const Places& p, const Places& q) {
+    const BoxOf a = box_of({p}), b = box_of({q});
+    return a.xmin < b.xmax && b.xmin < a.xmax && a.ymin < b.ymax && b.ymin < a.ymax;
+}
+
+/// Whether the centres of a row of the area have this y.
+inline bool is_centre_of_row(const Area& area, const Rational& y) {
+    for (int row = area.y; row < area.bottom(); ++row) {
+        if (y == Rational(row) + half) return true;
+    }
+    return false;
 }
 
 inline Places outline_in(const Area& area, const ScenePolygon& polygon) {
@@ -182,8 +199,7 @@ inline bool is_found_on(const Places& outline, const Place& point) {
     const Rational top = std::min_element(outline.begin(), outline.end(), by_y)->second;
     bool found = false;
     for_each_edge_of(outline, [&](const Place& from, const Place& to) {
-        const auto& [low, high] = std::minmax(from, to);
-        if (cross(from, to, point) != 0 || point < low || high < point) return;
+        if (!EdgeOf{from, to}.holds(point)) return;
         found = found || std::min(from.second, to.second) < point.second || point.second == top;
     });
     return found;
