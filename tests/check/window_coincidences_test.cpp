@@ -25,24 +25,14 @@ namespace {
 
 using Steps = std::set<std::uint64_t>;
 
-/// Steps of a call: those after `begin`, up to `end`.
-struct CallSteps {
-    std::uint64_t begin = 0, end = 0;
-    bool operator<(const CallSteps& other) const { return begin < other.begin; }
-    bool operator==(const CallSteps&) const = default;
-};
-
 /// Hears a run, and finds out at which of its steps the scene has a coincidence.
 class ExpectedZeros {
 public:
     ExpectedZeros(const AdmittedScene& scene, Method method) : scene_(scene), method_(method) {}
 
     std::map<Coincidence, Steps> steps;
-    std::set<PolygonsAtPixel> ties;  // at the points of PointColor, by the picture rule
-
-    // RayCrossings and OctantAngles compare coordinates many times between two events. These are the calls in which a vertex has a
-    // coordinate of the window, and all calls.
-    std::set<CallSteps> coincident_calls, calls;
+    std::set<PolygonsAtPixel> ties;                  // at the points of PointColor, by the picture rule
+    std::map<std::uint64_t, int> equal_coordinates;  // at each step of RayCrossings and OctantAngles: how many
 
     void hear(std::uint64_t step, const EventView& event) {
         step_ = step;
@@ -139,6 +129,8 @@ private:
 
     void hear(const event::Orient& orient) {
         test_box(orient.polygon, orient.point);
+        if (orient.at == Line::CR4) hear_ray(orient.polygon, orient.edge);
+        if (orient.at == Line::OA4) hear_octants(orient.polygon, orient.edge);
         const auto [from, to] = edge_of(orient.polygon, orient.edge);
         const Place point{orient.point.x.number, orient.point.y.number};
         add(Coincidence::point_on_line, cross(from, to, point) == 0);
@@ -165,26 +157,52 @@ private:
         }
     }
 
-    // Vertices next to the window's centre, or to its sides
+    // Vertices next to the lines of the window's sides: both ends of each edge, in turn
 
     void hear(const event::Call& call) {
-        if (call.of == Procedure::ray_crossings || call.of == Procedure::octant_angles) call_ = step_;
+        if (call.of == Procedure::ray_crossings || call.of == Procedure::octant_angles) next_edge_ = 0;
+        is_at_first_ray_ = call.of == Procedure::ray_crossings;
         if (call.of == Procedure::fill_polygon) rows_.assign(1, step_);
         if (call.of == Procedure::surround_test) begins_surround_test_ = true;
     }
-    void hear(const event::Crossings& crossings) {
+    void hear_octants(const PolygonPlace& polygon, int edge) {
+        if (edge < next_edge_) return;  // heard before its orientation
+        next_edge_ = edge + 1;
+        const auto [from, to] = edge_of(polygon, edge);
+        for (const auto& [x, y] : {from, to}) {
+            add_equal_coordinates((x == window_.x || x == window_.right() ? 1 : 0) +
+                                  (y == window_.y || y == window_.bottom() ? 1 : 0));
+        }
+    }
+    void hear(const event::Octants& octants) { hear_octants(octants.polygon, octants.edge); }
+
+    // Vertices next to the ray from the window's centre. RayCrossings first compares all of them, and then the second end of each edge,
+    // and the first end if the second is not on the ray's line. It tells the edges that end off that line and either begin on it or cross
+    // it. A vertex is compared twice, as less and as greater.
+
+    void hear_rays_to(const PolygonPlace& polygon, int end) {
         const Rational row = Rational(window_.y) + Rational(window_.height) / 2;
-        end_call(crossings.polygon, [&](const glm::dvec3& v) { return Rational(v.y) == row; });
+        const Places outline = outline_of(at(polygon));
+        const auto is_on_row = [&](std::size_t vertex) { return outline[vertex % outline.size()].second == row; };
+        if (std::exchange(is_at_first_ray_, false)) {
+            for (std::size_t i = 0; i < outline.size(); ++i) add_equal_coordinates(is_on_row(i) ? 2 : 0);
+        }
+        // The edge from the last vertex to the first one comes first, so edges are numbered by their second ends here.
+        for (; next_edge_ < end; ++next_edge_) {
+            const auto to = std::size_t(next_edge_);
+            add_equal_coordinates(is_on_row(to) || is_on_row(to + outline.size() - 1) ? 2 : 0);
+        }
     }
-    void hear(const event::Angle& angle) {
-        end_call(angle.polygon, [&](const glm::dvec3& v) {
-            return v.x == window_.x || v.x == window_.right() || v.y == window_.y || v.y == window_.bottom();
-        });
+    void hear_ray(const PolygonPlace& polygon, int edge) {
+        hear_rays_to(polygon, (edge + 1) % int(at(polygon).vertices.size()) + 1);
     }
-    void end_call(const PolygonPlace& polygon, auto&& coincides) {
-        const auto& vertices = at(polygon).vertices;
-        calls.insert({call_, step_});
-        if (std::any_of(vertices.begin(), vertices.end(), coincides)) coincident_calls.insert({call_, step_});
+    void hear(const event::Ray& ray) { hear_ray(ray.polygon, ray.edge); }
+    void hear(const event::Crossings& crossings) {
+        hear_rays_to(crossings.polygon, int(at(crossings.polygon).vertices.size()));
+    }
+
+    void add_equal_coordinates(int count) {
+        if (count > 0) equal_coordinates[step_] += count;
     }
 
     // Depths at the corners of a window, and at the points of PointColor
@@ -358,12 +376,12 @@ private:
     std::optional<Coincidence> pending_;  // at the next event
     Window window_;
     std::set<int> in_window_;  // the polygons that neither surround the window nor lie outside, of ThreeListsWarnock
-    std::uint64_t call_ = 0;
     std::vector<std::uint64_t> rows_;  // the steps of FillPolygon: its call, its rows, its end
     std::array<std::optional<Rational>, 4> at_corners_;
     bool begins_surround_test_ = false;
     Place point_;        // of the last surround test
-    int next_edge_ = 0;  // of an edge-on polygon there
+    int next_edge_ = 0;  // of an edge-on polygon there, or of the polygon next to the window
+    bool is_at_first_ray_ = false;
     std::optional<Rational> nearest_edge_;
     Places clipped_;
     int side_ = -1;
@@ -374,9 +392,9 @@ private:
 struct ListedZeros {
     std::map<Coincidence, Steps> steps;
     std::set<PolygonsAtPixel> ties;
-    std::set<CallSteps> coincident_calls;
+    std::map<std::uint64_t, int> equal_coordinates;
 
-    ListedZeros(const std::vector<Zero>& zeros, const std::set<CallSteps>& calls) {
+    explicit ListedZeros(const std::vector<Zero>& zeros) {
         using enum Procedure;
         for (const auto& zero : zeros) {
             if (zero.at == Line::PC4) {
@@ -384,10 +402,7 @@ struct ListedZeros {
                 ties.emplace(zero.polygons[0].index, zero.polygons[1].index, zero.pixels.x, zero.pixels.y);
             } else if (zero.is(ray_crossings, Coincidence::equal_numbers) ||
                        zero.is(octant_angles, Coincidence::equal_numbers)) {
-                const auto after = calls.lower_bound({zero.step, 0});
-                REQUIRE(after != calls.begin());
-                REQUIRE(zero.step <= std::prev(after)->end);
-                coincident_calls.insert(*std::prev(after));
+                ++equal_coordinates[zero.step];
             } else {
                 steps[zero.coincidence].insert(zero.step);
             }
@@ -402,7 +417,7 @@ void check_zeros(const AdmittedScene& scene, Method method, Counts& counts) {
     const JudgedScene judged = judged_scene(scene, method);
     ExpectedZeros expected(judged.scene, method);
     hear_run(judged.scene, method, [&](std::uint64_t step, const EventView& event) { expected.hear(step, event); });
-    ListedZeros listed(judged.zeros, expected.calls);
+    ListedZeros listed(judged.zeros);
 
     const bool planar = all_planar(scene);  // otherwise the scene does not determine the depths
     for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
@@ -413,7 +428,8 @@ void check_zeros(const AdmittedScene& scene, Method method, Counts& counts) {
         counts[coincidence] += expected.steps[coincidence].size();
     }
     if (planar) CHECK(listed.ties == expected.ties);
-    CHECK(listed.coincident_calls == expected.coincident_calls);
+    CHECK(listed.equal_coordinates == expected.equal_coordinates);
+    for (const auto& each : expected.equal_coordinates) counts[Coincidence::equal_numbers] += std::size_t(each.second);
 }
 
 }  // namespace

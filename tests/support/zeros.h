@@ -81,11 +81,15 @@ inline bool has_operand(const Finding& finding, const std::string& name) {
     return std::any_of(operands.begin(), operands.end(), [&](const Operand& each) { return each.name == name; });
 }
 
+/// An operand of a finding that is a line.
+inline LineThrough line_operand(const Finding& finding, const std::string& name) {
+    const Rational a = exact_operand(finding, name + ".a"), b = exact_operand(finding, name + ".b");
+    return line(a, b, a * exact_operand(finding, name + ".x") + b * exact_operand(finding, name + ".y"));
+}
+
 /// The operands of a finding on which side of a line a point lies.
 inline PointOnLine point_on_line_of(const Finding& finding) {
-    const Rational a = exact_operand(finding, "line.a"), b = exact_operand(finding, "line.b");
-    const Rational c = a * exact_operand(finding, "line.x") + b * exact_operand(finding, "line.y");
-    return {{exact_operand(finding, "p.x"), exact_operand(finding, "p.y")}, line(a, b, c)};
+    return {{exact_operand(finding, "p.x"), exact_operand(finding, "p.y")}, line_operand(finding, "line")};
 }
 
 /// In every other scene a polygon is there twice.

@@ -104,9 +104,10 @@ private:
         Edges edges;
         for (const auto& loop : region.loops) {
             edges.emplace_back();
-            int from = number_of(loop.back());
+            const int last = number_of(loop.back());
+            int from = last;
             for_each_edge(loop, [&](const auto& from_vertex, const auto& to_vertex) {
-                const int to = number_of(to_vertex);
+                const int to = &to_vertex == &loop.back() ? last : number_of(to_vertex);
                 edges.back().push_back({&from_vertex, &to_vertex, from, to, {}});
                 from = to;
             });
