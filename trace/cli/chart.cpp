@@ -65,28 +65,23 @@ auto charts_of(const auto& subjects) {
     return charts;
 }
 
-int chart_all(const std::vector<std::string>& texts, const ChartOptions& options, const auto& read) {
-    std::vector<decltype(read(texts[0], options.scenes[0]))> subjects;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        subjects.push_back(read(texts[i], options.scenes[i]));
-        expect_size(subjects.back(), options.scenes[i]);
+int chart(const ChartOptions& options) {
+    std::vector<AdmittedScene> scenes;
+    std::vector<Function> functions;
+    for (const auto& file : options.scenes) {
+        auto read = charted_scene_from(file);
+        if (auto* scene = std::get_if<AdmittedScene>(&read)) {
+            expect_size(*scenes.emplace_back(std::move(*scene)), file);
+        } else {
+            expect_size(functions.emplace_back(std::move(std::get<Function>(read))), file);
+        }
+        if (!scenes.empty() && !functions.empty()) throw Refused(file + ": a chart shows scenes or surfaces, not both");
     }
+    expect_format(options, scenes.empty());
     OutputFile file(options.output);
-    file.write(written(charts_of(subjects), options));
+    file.write(scenes.empty() ? written(charts_of(functions), options) : written(charts_of(scenes), options));
     file.commit();
     return 0;
-}
-
-int chart(const ChartOptions& options) {
-    std::vector<std::string> texts;
-    for (const auto& file : options.scenes) {
-        texts.push_back(scene_text_in(file));
-        if (is_surface(texts.back()) == is_surface(texts[0])) continue;
-        throw Refused(file + ": a chart shows scenes or surfaces, not both");
-    }
-    const bool of_surfaces = is_surface(texts[0]);
-    expect_format(options, of_surfaces);
-    return of_surfaces ? chart_all(texts, options, read_function) : chart_all(texts, options, scene_of);
 }
 
 }  // namespace

@@ -144,7 +144,8 @@ private:
 bool is_failure(std::string_view text) { return are_of_one_kind(document_format(text), failure_format); }
 
 Failure read_failure(std::string_view text, const std::string& file) {
-    return read_json(text, file, [&](const JsonNode& root) { return FailureReader(file).read(root); });
+    return read_json(text, file, [&](const JsonNode& root) { return read_failure(root, file); });
 }
+Failure read_failure(const JsonNode& root, const std::string& file) { return FailureReader(file).read(root); }
 
 }  // namespace vidno

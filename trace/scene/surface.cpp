@@ -252,8 +252,9 @@ Surface read_surface(const JsonNode& node) { return read(node); }
 Surface read_whole_surface(const JsonNode& node) { return SurfaceReader(node, Defaults::none).surface(); }
 
 Function read_function(std::string_view text, const std::string& file) {
-    return read_json(text, file, [](const JsonNode& root) { return SurfaceReader(root).function(); });
+    return read_json(text, file, [](const JsonNode& root) { return read_function(root); });
 }
+Function read_function(const JsonNode& node) { return SurfaceReader(node).function(); }
 
 std::string surface_json(const Surface& surface) {
     const auto& [area, curves] = *surface.curves;

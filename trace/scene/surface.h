@@ -52,6 +52,8 @@ struct Function {
 
 /// The same from a file. Throws Refused, also if there is no function, or if it is not finite over some column.
 Function read_function(std::string_view text, const std::string& file);
+/// The same for a surface inside another document. Throws Misread.
+Function read_function(const JsonNode& node);
 
 /// The surface as JSON on one line, sample by sample, always the same bytes; read_surface reads back the same surface.
 std::string surface_json(const Surface& surface);

@@ -27,12 +27,17 @@ void say_step(const Failure& failure, const std::string& file) {
               << '\n';
 }
 
+/// On standard error, with the warnings of its scene.
+void describe(const Failure& failure, const std::string& file) {
+    for (const auto& warning : failure.warnings) std::cerr << warning << '\n';
+    say(failure, file);
+}
+
 Read read(std::string_view text, const std::string& file) {
     if (is_surface(text)) return {read_surface(text, file), {}};
     if (is_failure(text)) {
         Failure failure = read_failure(text, file);
-        for (const auto& warning : failure.warnings) std::cerr << warning << '\n';
-        say(failure, file);
+        describe(failure, file);
         AnyScene scene = *failure.scene;
         return {std::move(scene), std::move(failure)};
     }
@@ -57,13 +62,11 @@ void say(const Failure& failure, const std::string& file) {
     if (!failure.scene) throw Refused(file + ": no scene shows it: see the test \"" + failure.test + '"');
 }
 
-AdmittedScene scene_of(std::string_view text, const std::string& file) {
-    AnyScene any = read(text, file).scene;
+AdmittedScene scene_from(const std::string& file) {
+    AnyScene any = any_scene_from(file);
     if (auto* scene = std::get_if<AdmittedScene>(&any)) return std::move(*scene);
     throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
 }
-
-AdmittedScene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
 
 AnyScene any_scene_from(const std::string& file) { return read(read_file(file), file).scene; }
 
@@ -88,11 +91,19 @@ AnyScene any_scene_for(RunOptions& options, bool says_step) {
     return std::move(scene);
 }
 
-std::string scene_text_in(const std::string& file) {
-    std::string text = read_file(file);
-    if (!is_failure(text)) return text;
-    read(text, file);
-    return parse_json(text).at("scene").dump();
+std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file) {
+    const std::string text = read_file(file);
+    if (is_surface(text)) return read_function(text, file);
+    if (!is_failure(text)) return std::get<AdmittedScene>(read(text, file).scene);
+    std::optional<Function> function;
+    Failure failure = read_json(text, file, [&](const JsonNode& root) {
+        Failure found = read_failure(root, file);
+        if (found.scene && std::holds_alternative<Surface>(*found.scene)) function = read_function(root.at("scene"));
+        return found;
+    });
+    describe(failure, file);
+    if (function) return std::move(*function);
+    return std::get<AdmittedScene>(std::move(*failure.scene));
 }
 
 AdmittedScene scene_for(const NamedKernel& kernel, AdmittedScene scene, const std::string& file) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <variant>
 
 #include "cli/shared/run_options.h"
 #include "scene/failure.h"
@@ -11,8 +11,6 @@ namespace vidno::cli {
 
 /// The scene of a file of polygons, or of a failure, which is described on standard error. Warnings go there, too.
 AdmittedScene scene_from(const std::string& file);
-/// The same from its text.
-AdmittedScene scene_of(std::string_view text, const std::string& file);
 
 /// The same for a scene of polygons or of curves.
 AnyScene any_scene_from(const std::string& file);
@@ -24,8 +22,8 @@ AnyScene any_scene_for(RunOptions& options, bool says_step = false);
 /// Describes a failure on standard error, without its step. Refuses one that has no scene.
 void say(const Failure& failure, const std::string& file);
 
-/// The text of a scene or surface file, or that of the scene of a failure.
-std::string scene_text_in(const std::string& file);
+/// The scene of a file for a chart, which samples a surface in several ways, so it must be a function.
+std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file);
 
 /// The scene as the kernel runs it: snapped for `grid`, with a note on standard error; otherwise unchanged.
 AdmittedScene scene_for(const NamedKernel& kernel, AdmittedScene scene, const std::string& file);
