@@ -47,7 +47,11 @@ describe('the first screen', () => {
     async (language) => {
       const { page } = await openReader(browser, `#lang=${language}`);
       await page.locator('.offer').waitFor();
-      expect((await see(page)).controls.length).toBeLessThanOrEqual(16);
+      const { controls } = await see(page);
+      expect(controls.length).toBeLessThanOrEqual(16);
+      // Another lesson is one action away, beside the offer of the tour.
+      expect(controls).toContain({ en: 'Lessons', ru: 'Уроки' }[language]);
+      expect(await page.locator('vidno-reader .bar select').isVisible()).toBe(true);
       const filled = await page.locator('vidno-transport button').evaluateAll((all) => {
         const colors = all.map((each) => getComputedStyle(each).backgroundColor);
         return all
@@ -89,6 +93,11 @@ describe('the first screen', () => {
     await page.reload();
     await page.locator('vidno-listing').waitFor();
     expect(await page.locator('.offer').count()).toBe(0);
+  });
+
+  it('begins the tour at its address', async () => {
+    const { page } = await openReader(browser, '#tour');
+    await page.locator('vidno-tour h2').waitFor();
   });
 });
 

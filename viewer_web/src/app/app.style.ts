@@ -79,13 +79,9 @@ export const appStyle = css`
     }
   }
   .offer {
-    flex: none;
-    white-space: nowrap;
-    min-height: 1.6rem;
-    padding: 0 0.7rem;
-    border-color: var(--accent);
-    color: var(--accent);
-    font-size: 0.8125rem;
+    display: block;
+    margin: 1rem 1.25rem -0.5rem;
+    font-size: 0.875rem;
   }
   .on-paper {
     display: none;

@@ -53,6 +53,8 @@ import type { Shown } from './stage.js';
 
 /** A constant, because a new list would make the player render a second time. */
 const noParts: readonly StatePart[] = [];
+/** The address that begins the tour. */
+const tourAddress = '#tour';
 
 /** The page: lessons, the reader's own files, and the player. */
 @customElement('vidno-app')
@@ -123,12 +125,16 @@ export class AppElement extends LitElement implements Shown, Told {
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
     this.breaking.openAt(address.witness ?? null);
     this.isOpening = true;
+    const isTour = location.hash === tourAddress;
     this.isFirst = namesNothing(address);
     if (this.isFirst && !setup.setting.embed && memory.get('tour') === null) {
       memory.set('tour', 'offered');
       this.isOffered = true;
     }
-    void this.reading.follow({ ...address, rival: beside }).finally(() => (this.isOpening = false));
+    void this.reading.follow({ ...address, rival: beside }).finally(() => {
+      this.isOpening = false;
+      if (isTour) this.showAround();
+    });
   }
 
   /** The lessons cover the page and close when the reader turns to anything else. */
@@ -193,7 +199,11 @@ export class AppElement extends LitElement implements Shown, Told {
   offer(): TemplateResult | typeof nothing {
     if (!this.isOffered) return nothing;
     const { tour } = texts[this.setup.language];
-    return html`<button class="offer" @click=${() => this.showAround()}>${tour.offer}</button>`;
+    const onClick = (event: Event): void => {
+      event.preventDefault();
+      this.showAround();
+    };
+    return html`<a class="offer" href=${tourAddress} @click=${onClick}>${tour.offer}</a>`;
   }
 
   private showAround(): void {

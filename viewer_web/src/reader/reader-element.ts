@@ -29,7 +29,7 @@ export type Read = Reached & { readonly isScrolled: boolean };
 
 /**
  * The text of a lesson. An event `read` reports that the reader has come to another place; `pin` asks for a pin by the name
- * of its place. The slot replaces the choice of a lesson in the line above the text.
+ * of its place. The slot is the first line of the text.
  */
 @customElement('vidno-reader')
 export class ReaderElement extends LitElement {
@@ -96,11 +96,9 @@ export class ReaderElement extends LitElement {
   override render(): TemplateResult {
     const { reader } = texts[this.language];
     return html`
-      <div class="bar">
-        <slot>${this.choice()}</slot>
-        ${this.neighbours('short')}
-      </div>
+      <div class="bar">${this.choice()} ${this.neighbours('short')}</div>
       <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
+        <slot></slot>
         ${this.story === null ? this.excuse() : keyed(this.story.id, this.told(this.story))}
       </div>
     `;
