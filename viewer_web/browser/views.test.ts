@@ -62,6 +62,19 @@ describe('the first screen', () => {
     },
   );
 
+  it.each(languages)('shows the whole verdict at every size, in %s', async (language) => {
+    const { page } = await openReader(browser, `#lang=${language}`);
+    await page.locator('.verdict').waitFor();
+    for (const [width, height] of sizes) {
+      await page.setViewportSize({ width, height });
+      await settled(page);
+      const hidden = await page
+        .locator('vidno-player .sentence')
+        .evaluate((sentence) => sentence.scrollHeight - sentence.clientHeight);
+      expect(hidden, `${width} x ${height}`).toBe(0);
+    }
+  });
+
   it('shows the result of the run, with a verdict, and plays it from the start', async () => {
     const { page, faults } = await openReader(browser, '#lang=en');
     const { step, length } = await shown(page);

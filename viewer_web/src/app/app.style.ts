@@ -80,7 +80,9 @@ export const appStyle = css`
   }
   .offer {
     display: block;
+    width: fit-content;
     margin: 1rem 1.25rem -0.5rem;
+    color: var(--accent);
     font-size: 0.875rem;
   }
   .on-paper {

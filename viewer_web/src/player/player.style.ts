@@ -220,6 +220,13 @@ export const playerStyle = css`
       font-size: 1.3125rem;
     }
   }
+  /* The last sentence has room for the verdict, too, since nothing may move from step to step. */
+  @container (max-width: 930px) {
+    .sentence:has(.verdict) {
+      font-size: 0.8125rem;
+      line-height: 1.15;
+    }
+  }
   /* One column: the picture and the dock fill the screen or the available room, and the panels follow. */
   @container (max-width: 703px) {
     .stage {
@@ -276,6 +283,10 @@ export const playerStyle = css`
       font-size: 0.875rem;
       line-height: 1.2;
       gap: 0.5rem;
+    }
+    .sentence:has(.verdict) {
+      font-size: 0.75rem;
+      line-height: 1.15;
     }
     .sentence .at {
       min-width: 2.8rem;
