@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "../insertion_sort.h"
+#include "point_in_region.h"
 #include "weiler_atherton_run.h"
 
 namespace vidno {
