@@ -88,9 +88,7 @@ std::optional<Place> crossing(const EdgeOf& e, const EdgeOf& f) {
     const Rational from = over(f.line(), e.from), to = over(f.line(), e.to);
     const Rational of_from = over(e.line(), f.from), of_to = over(e.line(), f.to);
     if (from * to >= 0 || of_from * of_to >= 0) return std::nullopt;
-    const Rational part = from / (from - to);
-    return Place{e.from.first + (e.to.first - e.from.first) * part,
-                 e.from.second + (e.to.second - e.from.second) * part};
+    return zero_between(e.from, from, e.to, to);
 }
 
 /// A part of a polygon of the scene.
@@ -129,7 +127,7 @@ private:
     }
     int line_between(const Place& p, const Place& q) const { return between_.at(std::minmax(p, q)); }
 
-    std::vector<Place> corners_of_area() const {
+    Places corners_of_area() const {
         const Area& area = scene_->area;
         return {{area.x, area.y}, {area.right(), area.y}, {area.right(), area.bottom()}, {area.x, area.bottom()}};
     }
@@ -223,7 +221,7 @@ private:
     /// Both parts. What is on both outlines has the line of the subject.
     std::pair<CellRegion, CellRegion> clip(const CellRegion& subject, const CellRegion& clip_region) {
         add_common(subject, clip_region);
-        add_points_on_lines(subject.edges(), clip_region.edges());
+        add_points_on_lines(subject.edges, clip_region.edges);
         add_vertices_on_rays(subject, clip_region);
         add_vertices_on_rays(clip_region, subject);
 
@@ -289,15 +287,15 @@ private:
     /// The vertices of one region on the rays from the middles of the pieces into which it cuts the edges of another one. Pieces on its
     /// outline have no ray.
     void add_vertices_on_rays(const CellRegion& cut, const CellRegion& cutting) {
-        for (const auto& edge : cut.edges()) {
+        for (const auto& edge : cut.edges) {
             std::set<Place> ends{edge.from.at, edge.to.at};
-            for (const auto& other : cutting.edges()) {
+            for (const auto& other : cutting.edges) {
                 if (edge.places().holds(other.from.at)) ends.insert(other.from.at);
                 if (const auto at = crossing(edge.places(), other.places())) ends.insert(*at);
             }
             for (auto from = ends.begin(), to = std::next(from); to != ends.end(); ++from, ++to) {
                 const Place middle{(from->first + to->first) / 2, (from->second + to->second) / 2};
-                const auto edges = cutting.edges();
+                const auto& edges = cutting.edges;
                 const auto holds_middle = [&](const OutlineEdge& other) { return other.places().holds(middle); };
                 if (std::any_of(edges.begin(), edges.end(), holds_middle)) continue;
                 for (const auto& other : edges) {
@@ -324,7 +322,7 @@ private:
     }
 
     bool line_splits(const CellRegion& region, int line) {
-        const auto edges = region.edges();
+        const auto& edges = region.edges;
         const auto is_on_line = [&](const OutlineEdge& edge) { return edge.line() == line; };
         return std::none_of(edges.begin(), edges.end(), is_on_line) && is_on_both_sides(region, line);
     }
@@ -373,7 +371,7 @@ private:
     // Lists
 
     static bool apart(const Part& a, const Part& b, std::set<Rational>& touching) {
-        return a.polygon == b.polygon || lie_apart(a.region.box(), b.region.box(), touching);
+        return a.polygon == b.polygon || lie_apart(a.region.box, b.region.box, touching);
     }
 
     std::vector<Part> depth_sort() {
@@ -476,7 +474,7 @@ private:
             return place.second == y ? is_on_row_below : place.second > y;
         };
         std::vector<Rational> ends;
-        for (const auto& edge : region.edges()) {
+        for (const auto& edge : region.edges) {
             const Place &from = edge.from.at, &to = edge.to.at;
             if (from.second == y) found.at_painting.insert(y);
             if (is_below(from) == is_below(to)) continue;
@@ -486,31 +484,32 @@ private:
         return ends;
     }
 
-    bool are_equally_near(int i, int j, int x, int y) {
-        const Place centre{Rational(x) + half, Rational(y) + half};
-        const bool equal = depth_at(polygon(i), centre) == depth_at(polygon(j), centre);
-        if (equal) found.equally_near.emplace(x, y);
-        return equal;
+    /// How much nearer the first of two polygons is at a centre.
+    Rational how_much_nearer(int i, int j, int x, int y) {
+        const Place centre = centre_of_pixel(x, y);
+        const Rational nearer = depth_at(polygon(i), centre) - depth_at(polygon(j), centre);
+        if (nearer == 0) found.equally_near.emplace(x, y);
+        return nearer;
     }
 
     int first_of_equals(int own, const std::vector<const Part*>& earlier, int x, int y) {
-        const Place centre{Rational(x) + half, Rational(y) + half};
+        const Place centre = centre_of_pixel(x, y);
         int first = own;
         for (const auto* facet : earlier) {
-            if (facet->polygon >= first || !is_in_box(facet->region.box(), centre)) continue;
-            if (are_equally_near(facet->polygon, own, x, y) && holds(facet->region, x, y)) first = facet->polygon;
+            if (facet->polygon >= first || !is_in_box(facet->region.box, centre)) continue;
+            if (how_much_nearer(facet->polygon, own, x, y) == 0 && holds(facet->region, x, y)) first = facet->polygon;
         }
         return first;
     }
 
     /// Whether a closed convex region holds a centre. Its row just above the centre is tested first, and then its outline.
     bool holds(const CellRegion& region, int x, int y) {
-        const Place centre{Rational(x) + half, Rational(y) + half};
+        const Place centre = centre_of_pixel(x, y);
         const auto ends = ends_in_pass(region, y, true);
         if (std::count(ends.begin(), ends.end(), centre.first) > 0) found.on_outlines.emplace(x, y);
         if (!ends.empty() && ends.front() <= centre.first && centre.first < ends.back()) return true;
         bool is_on_outline = false;
-        for (const auto& edge : region.edges()) {
+        for (const auto& edge : region.edges) {
             if (edge.from.at == centre) found.common.insert(centre);
             is_on_outline = is_on_outline || edge.places().holds(centre);
         }
@@ -532,9 +531,8 @@ private:
     void paint(int x, int y, int own) {
         const auto [known, is_new] = shown_.try_emplace({x, y}, own);
         if (is_new || known->second == own) return;
-        const Place centre{Rational(x) + half, Rational(y) + half};
-        const Rational nearer = depth_at(polygon(own), centre) - depth_at(polygon(known->second), centre);
-        if (are_equally_near(own, known->second, x, y) ? own < known->second : nearer > 0) known->second = own;
+        const Rational nearer = how_much_nearer(own, known->second, x, y);
+        if (nearer > 0 || (nearer == 0 && own < known->second)) known->second = own;
     }
 
     const AdmittedScene& scene_;

@@ -230,7 +230,7 @@ private:
         if (method_ != Method::warnock_edges || !polygon.edge_on) return depth_at_pixel(polygon, x, y);
         std::optional<Rational> nearest;
         for (int edge = 0; edge < int(polygon.vertices.size()); ++edge) {
-            const auto z = depth_on_edge(polygon, edge, {Rational(x) + half, Rational(y) + half});
+            const auto z = depth_on_edge(polygon, edge, centre_of_pixel(x, y));
             if (z && (!nearest || *z > *nearest)) nearest = z;
         }
         return nearest;

@@ -75,10 +75,8 @@ private:
         const auto crossing = [&](int from, int to) {
             const auto [known, is_new] = crossings.try_emplace(std::minmax(from, to), int(places.size()));
             if (is_new) {
-                const Place p = places[std::size_t(from)], q = places[std::size_t(to)];
-                const Rational& f = heights[std::size_t(from)];
-                const Rational part = f / (f - heights[std::size_t(to)]);
-                places.emplace_back(p.first + (q.first - p.first) * part, p.second + (q.second - p.second) * part);
+                places.push_back(zero_between(places[std::size_t(from)], heights[std::size_t(from)],
+                                              places[std::size_t(to)], heights[std::size_t(to)]));
             }
             return known->second;
         };
@@ -176,10 +174,21 @@ public:
             segments_.push_back({std::move(outline), last});
         }
         if (!unused.empty()) FAIL("a segment without a line");
+
+        Places corners;
+        for (const auto& loop : loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
+                corners.push_back(loop[i].at);
+            }
+        }
+        if (!corners.empty()) box = box_of(corners);
     }
 
     std::set<int> cells;
     std::vector<std::vector<OutlineVertex>> loops;
+    std::vector<OutlineEdge> edges;
+    BoxOf box;  // of a region that is not empty
     /// Where an outline that touches another one, or itself, has a way straight ahead, but along another line.
     std::set<Place> straight_ahead;
 
@@ -188,7 +197,7 @@ public:
     /// The segments of the outlines, each from its first vertex on.
     std::vector<OutlineSegment> segments() const {
         std::vector<OutlineSegment> all;
-        for (const auto& [outline, last] : segments_) all.insert(all.end(), outline.begin(), outline.end());
+        for (const auto& each : segments_) all.insert(all.end(), each.segments.begin(), each.segments.end());
         return all;
     }
     /// The same, each from its last vertex on.
@@ -200,22 +209,6 @@ public:
             all.insert(all.end(), outline.begin(), middle);
         }
         return all;
-    }
-
-    std::vector<OutlineEdge> edges() const {
-        std::vector<OutlineEdge> all;
-        for (const auto& loop : loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i) all.push_back({loop[i], loop[(i + 1) % loop.size()]});
-        }
-        return all;
-    }
-
-    BoxOf box() const {
-        Places places;
-        for (const auto& loop : loops) {
-            for (const auto& vertex : loop) places.push_back(vertex.at);
-        }
-        return box_of(places);
     }
 
 private:

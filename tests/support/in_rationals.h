@@ -34,6 +34,14 @@ inline Rational cross(const Place& p, const Place& q, const Place& v) {
     return (q.first - p.first) * (v.second - p.second) - (q.second - p.second) * (v.first - p.first);
 }
 
+inline Place centre_of_pixel(int x, int y) { return {Rational(x) + half, Rational(y) + half}; }
+
+/// Where a linear function is 0 that has these values, of different signs, at two places.
+inline Place zero_between(const Place& p, const Rational& at_p, const Place& q, const Rational& at_q) {
+    const Rational part = at_p / (at_p - at_q);
+    return {p.first + (q.first - p.first) * part, p.second + (q.second - p.second) * part};
+}
+
 /// visit(from, to) for each edge.
 void for_each_edge_of(const Places& outline, auto&& visit) {
     for (std::size_t i = 0; i < outline.size(); ++i) visit(outline[i], outline[(i + 1) % outline.size()]);
@@ -86,11 +94,7 @@ Places cut_off(const Places& outline, auto&& beyond) {
         const Place& from = outline[i == 0 ? outline.size() - 1 : i - 1];
         const Place& to = outline[i];
         const Rational f = beyond(from), t = beyond(to);
-        if ((f < 0 && t > 0) || (f > 0 && t < 0)) {
-            const Rational part = f / (f - t);
-            inside.emplace_back(from.first + (to.first - from.first) * part,
-                                from.second + (to.second - from.second) * part);
-        }
+        if ((f < 0 && t > 0) || (f > 0 && t < 0)) inside.push_back(zero_between(from, f, to, t));
         if (t <= 0) inside.push_back(to);
     }
     return inside;
@@ -135,7 +139,7 @@ using PolygonsAtPixel = std::tuple<int, int, int, int>;  // two polygons, the ne
 /// The depth of a polygon at a pixel's centre; none if it does not cover it.
 inline std::optional<Rational> depth_at_pixel(const ScenePolygon& polygon, int x, int y) {
     if (!covers(polygon, x, y)) return std::nullopt;
-    return depth_at(polygon, {Rational(x) + half, Rational(y) + half});
+    return depth_at(polygon, centre_of_pixel(x, y));
 }
 
 /// Adds the polygons that are exactly as near as the nearest before them in the scene, by their depths at the pixel.
