@@ -133,6 +133,11 @@ const byMouse: Way = async (page, { parts }, inPicture) => {
     const row = await field.locator('.entries').count();
     const targets = page.locator('vidno-targets g');
     const canPoint = inPicture && (await targets.count()) === options.length;
+    const cells = field.locator('td input');
+    if ((await cells.count()) > 0) {
+      for (const [cell, value] of right.entries()) await cells.nth(cell).fill(value);
+      continue;
+    }
     for (const value of right) {
       const at = options.findIndex((option) => option.value === value);
       if (canPoint) await clickVisible(page, targets.nth(at));
@@ -149,6 +154,13 @@ const byKeyboard: Way = async (page, { parts }, inPicture) => {
     const field = page.locator(`vidno-question fieldset[data-part="${i}"]`);
     const first = field.locator('input').first();
     await first.focus();
+    if ((await field.locator('td input').count()) > 0) {
+      for (const value of right) {
+        await page.keyboard.type(value);
+        await page.keyboard.press('Tab');
+      }
+      continue;
+    }
     const isRow = (await field.locator('.entries').count()) > 0;
     const isPictured = (await page.locator('vidno-targets g').count()) === options.length;
     if (isRow) await page.keyboard.type(right.join(' ') || '-');
@@ -204,6 +216,34 @@ describe('three exercises of each kind', () => {
 });
 
 describe('an exercise', () => {
+  it('is a table to be filled in, whose first wrong cell is named with its step', async () => {
+    // The square A from (1, -2) to (8, 4) on the area (2, -1) 5 x 4: its edges 3 and 1 are at x = 1 and x = 8, and the last row is 2.
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', sampleTrace('small.zbuffer.signs'));
+    await only(page, 'ael');
+    await page.keyboard.press('q');
+    const form = page.locator('vidno-question');
+    const cell = (name: string): Locator => form.getByRole('textbox', { name, exact: true });
+    await form.getByRole('textbox', { name: /^Which edges does it then have/ }).fill('3 1');
+    await cell('entry 1, x').fill('1');
+    await cell('entry 1, last row').fill('2');
+    await cell('entry 2, x').fill('6.5');
+    await form.getByRole('button', { name: 'Check' }).click();
+    await form.getByText('Answer each part first.').waitFor();
+    expect(await cell('entry 2, last row').evaluate((input) => input.matches(':focus'))).toBe(true);
+    await cell('entry 2, last row').fill('2');
+    await form.getByRole('button', { name: 'Check' }).click();
+    expect((await verdict(page)).slice(1)).toEqual(['✓ right', '✗ wrong', 'Not quite.']);
+    const wrong = form.locator('fieldset', { has: page.locator('table') });
+    expect(await wrong.locator('.first-wrong').textContent()).toBe(
+      'First wrong entry: entry 2, x: 8.',
+    );
+    expect(await wrong.locator('.reasons').textContent()).toContain('8');
+    expect(await cell('entry 2, x').getAttribute('aria-invalid')).toBe('true');
+    expect(await cell('entry 1, x').getAttribute('aria-invalid')).toBe('false');
+    expect(await violations(page)).toEqual([]);
+  });
+
   it('shows hints, takes their cost, and names the first wrong entry with its step', async () => {
     // The triangle (1, -2), (5, 2), (0.5, 3) and the side y = 0: only the first vertex lies above it.
     const { page } = await open(browser, '#lang=en');

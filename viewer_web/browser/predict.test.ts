@@ -123,12 +123,17 @@ describe('a reader who must answer', () => {
     const { page } = await open(browser, '#lang=ru&ask=forced&speed=300');
     await opened(page, 'small.jsonl', sampleTrace('small.zbuffer.signs'));
     await page.keyboard.press(' ');
-    // A is the square from (1, -2) to (8, 4). From its first row on, its edges 3 and 1 are active, from x = 1 to x = 8.
+    // A is the square from (1, -2) to (8, 4). From its first row on, its edges 3 and 1 are active, from x = 1 to x = 8. The last
+    // row of the area is 2.
     await asked(page, 13);
     await press(page, '2', '3', 'Tab', 'Tab');
     await page.keyboard.type('1 3');
+    for (const cell of ['1', '2', '8', '2']) {
+      await page.keyboard.press('Tab');
+      await page.keyboard.type(cell);
+    }
     await page.keyboard.press('Enter');
-    expect(await verdict(page)).toEqual(['✓ верно', '✗ неверно', 'Не совсем.']);
+    expect(await verdict(page)).toEqual(['✓ верно', '✗ неверно', '✓ верно', 'Не совсем.']);
     expect(await page.locator('vidno-question .right').textContent()).toBe('Верно: 3 1');
   });
 

@@ -1,5 +1,5 @@
 import type { Relation } from '../predict/asker.js';
-import type { Abouts, Asks, Becomes, Kind, tests } from '../predict/question.js';
+import type { Abouts, Asks, Becomes, Column, Form, Kind, tests } from '../predict/question.js';
 import type { Event } from '../trace/events.js';
 
 /** The texts of predictions. */
@@ -17,6 +17,12 @@ export interface PredictTexts {
   readonly asks: Readonly<Record<Asks, string>>;
   /** The format of an answer of several values. */
   readonly rows: Readonly<Record<'signs' | 'list' | 'order' | 'walked', string>>;
+  /** A table of numbers: the names of its rows, from 1, and of its columns, and how to write a number. */
+  readonly table: {
+    readonly entry: (number: number) => string;
+    readonly columns: Readonly<Record<Column, string>>;
+    readonly hint: string;
+  };
   /** The text in the places after the end of a row. */
   readonly ends: PredictTexts['rows'];
   readonly crossing: string;
@@ -36,7 +42,7 @@ export interface PredictTexts {
   readonly hintFor: string;
   /** With the share of a point that it costs. */
   readonly hintCosts: (cost: string) => string;
-  readonly hinted: Readonly<Record<'one' | 'some' | 'row', (entry: string) => string>>;
+  readonly hinted: Readonly<Record<Form, (entry: string) => string>>;
   readonly hintedNothing: string;
   readonly firstWrong: (entry: string) => string;
   readonly tooLong: string;

@@ -1,7 +1,8 @@
 import { element, writable } from '../base/xml.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { crossing, none, parts as forms } from './question.js';
+import { tolerance } from './grade.js';
+import { columns, crossing, none, parts as forms } from './question.js';
 import type { Asks, Option, Part, Question } from './question.js';
 import { sayNone, sayNoted, sayValue } from './say.js';
 
@@ -75,16 +76,33 @@ function gap({ options, right }: Choice, weight: number, type: string): string {
   return `{${weight}:${type}:${written.join('~')}}`;
 }
 
+const row = (cells: readonly string[]): string =>
+  element('tr', [], cells.map((cell) => element('td', [], cell)).join(''));
+
+const table = (rows: readonly string[]): string =>
+  element('table', [], element('tbody', [], rows.join('')));
+
+/** A table of numbers to be filled in, with the names of its rows and columns. */
+function tableHtml({ right }: Part, weight: number, language: Language): string {
+  const { entry, columns: names } = texts[language].predict.table;
+  const gaps = right.map((value) => `{${weight}:NUMERICAL:=${value}:${tolerance}}`);
+  const rows = Array.from({ length: right.length / columns.length }, (_, i) => i);
+  return table([
+    row(['', ...columns.map((each) => inert(names[each]))]),
+    ...rows.map((i) =>
+      row([inert(entry(i + 1)), ...gaps.slice(i * columns.length, (i + 1) * columns.length)]),
+    ),
+  ]);
+}
+
 function choicesHtml(part: Part, weight: number, language: Language): string {
   const choices = choicesOf(part, language);
   if (forms[part.asks][0] === 'one') {
     return element('div', [], choices.map((one) => gap(one, weight, 'MULTICHOICE_V')).join(''));
   }
-  const rows = choices.map((choice) => {
-    const cells = [inert(choice.label), gap(choice, weight, 'MULTICHOICE')];
-    return element('tr', [], cells.map((cell) => element('td', [], cell)).join(''));
-  });
-  return element('table', [], element('tbody', [], rows.join('')));
+  return table(
+    choices.map((choice) => row([inert(choice.label), gap(choice, weight, 'MULTICHOICE')])),
+  );
 }
 
 function partHtml(part: Part, weight: number, language: Language): string {
@@ -92,15 +110,20 @@ function partHtml(part: Part, weight: number, language: Language): string {
   const about = isByGiven(part) ? [] : given.map((each) => sayNoted(each.of, each, language));
   const asked = `<strong>${inert(texts[language].predict.asks[asks])}</strong>`;
   const paragraph = element('p', [], [asked, inert(about.join('; '))].filter(Boolean).join(' '));
-  return paragraph + choicesHtml(part, weight, language);
+  const answer = forms[asks][0] === 'table' ? tableHtml : choicesHtml;
+  return paragraph + answer(part, weight, language);
 }
 
 const commonDivisor = (a: number, b: number): number => (b === 0 ? a : commonDivisor(b, a % b));
 const commonMultiple = (a: number, b: number): number => (a * b) / commonDivisor(a, b);
 
+/** How many gaps a part has. */
+const gapsOf = (part: Part, language: Language): number =>
+  forms[part.asks][0] === 'table' ? part.right.length : choicesOf(part, language).length;
+
 /** The parts of a question as HTML with choices in the notation of Moodle's Cloze; all parts have the same weight. */
 export function clozeOf({ parts }: Question, language: Language): string {
-  const counts = parts.map((part) => choicesOf(part, language).length);
+  const counts = parts.map((part) => gapsOf(part, language));
   const whole = counts.reduce(commonMultiple, 1);
   return parts.map((part, i) => partHtml(part, whole / (counts[i] ?? 1), language)).join('');
 }

@@ -35,7 +35,7 @@ const rows = (n: number): number =>
 const possible = ({ parts }: Question): number =>
   parts.reduce((product, { asks, options: { length: n } }) => {
     const [form] = forms[asks];
-    return product * { one: n, some: 2 ** n, row: rows(n) }[form];
+    return product * { one: n, some: 2 ** n, row: rows(n), table: Infinity }[form];
   }, 1);
 
 type About = Abouts['ray'];
@@ -144,12 +144,27 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
       if (product !== 0) expect(isCut).toBe(product < 0);
     });
   },
-  ael: ({ before, after, right }) => {
+  ael: ({ trace, question, before, after, right }) => {
     const was = before.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
     const is = after.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
     expect(right['order']).toEqual(is);
     expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
     expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
+    const isCorrected = trace.header.edition === 'corrected';
+    if (question.kind !== 'ael' || !isCorrected || right['entries'] === undefined) return;
+    // Each edge meets the scanline where its line does, and ends in the row before its lower end.
+    const polygon = trace.header.scene.byId.get(question.about.polygon);
+    const y = toNumber(after.zbuffer?.y ?? NaN);
+    is.forEach((edge, i) => {
+      const ends = [0, 1].map((end) => {
+        const { vertices = [] } = polygon ?? {};
+        return (vertices[(Number(edge) + end) % vertices.length] ?? []).map(Number);
+      });
+      const [[x1 = 0, y1 = 0] = [], [x2 = 0, y2 = 0] = []] = ends;
+      const [x = NaN, last = NaN] = right['entries']?.slice(2 * i, 2 * i + 2).map(Number) ?? [];
+      expect(x).toBeCloseTo(x1 + ((y - y1) / (y2 - y1)) * (x2 - x1), 2);
+      expect(Math.abs(last + 1 - Math.max(y1, y2))).toBeLessThanOrEqual(1);
+    });
   },
   pixels: ({ trace, question, right }) => {
     if (question.kind !== 'pixels') return;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
-import { grade, typedRow } from './grade.js';
+import { grade, isRight, typedNumber, typedRow } from './grade.js';
 import type { Part } from './question.js';
 
 const window = async (): Promise<ReturnType<typeof questionFrom<'window'>>> =>
@@ -26,18 +26,36 @@ describe('an answer', () => {
   it('that is a row is right only in the right order', async () => {
     const trace = await traceOf(textOf('small.zbuffer.signs.jsonl'));
     const question = questionFrom(trace, 65, 'ael');
-    expect(
-      grade(question, [
-        ['2', '0'],
-        ['2', '0'],
-      ]),
-    ).toEqual([true, true]);
-    expect(
-      grade(question, [
-        ['2', '0'],
-        ['0', '2'],
-      ]),
-    ).toEqual([true, false]);
+    const entries = ['2.5', '2', '2.5', '-1'];
+    expect(grade(question, [['2', '0'], ['2', '0'], entries])).toEqual([true, true, true]);
+    expect(grade(question, [['2', '0'], ['0', '2'], entries])).toEqual([true, false, true]);
+  });
+});
+
+describe('a table of numbers', () => {
+  // 10/3 and 7, each in its cell.
+  const table: Part = { asks: 'entries', options: [], right: [String(10 / 3), '7'] };
+
+  it('is right if each cell is, to two decimals', () => {
+    expect(isRight(table, ['3.33', '7'])).toBe(true);
+    expect(isRight(table, ['10/3', '7,00'])).toBe(true);
+    expect(isRight(table, ['3.3', '7'])).toBe(false);
+    expect(isRight(table, ['3.34', '7'])).toBe(false);
+    expect(isRight(table, ['7', '3.33'])).toBe(false);
+    expect(isRight(table, ['3.33'])).toBe(false);
+  });
+
+  it.each([
+    ['7.75', 7.75],
+    ['−7,75', -7.75],
+    [' 31/4 ', 7.75],
+    ['', null],
+    ['7.', null],
+    ['1/0', null],
+    ['1e3', null],
+    ['x', null],
+  ])('reads %o as %o', (text, value) => {
+    expect(typedNumber(text)).toBe(value);
   });
 });
 

@@ -7,9 +7,28 @@ export type Answer = readonly (readonly string[] | null)[];
 const same = (a: readonly string[], b: readonly string[]): boolean =>
   a.length === b.length && a.every((value, i) => value === b[i]);
 
-/** Whether a part is answered correctly; the order matters only in a row. */
+/** The number in a typed text: a decimal, with a point or a comma, or a fraction; null if it is none. */
+export function typedNumber(text: string): number | null {
+  const plain = text.trim().replace(/[−–]/g, '-').replace(',', '.');
+  const [, above = '', below = '1'] = /^(-?\d+(?:\.\d+)?)(?:\/(\d+))?$/u.exec(plain) ?? [];
+  const value = Number(above) / Number(below);
+  return above === '' || !Number.isFinite(value) ? null : value;
+}
+
+/** How far from the right number a cell may be: by rounding to two decimals. */
+export const tolerance = 0.005;
+
+/** Whether the number in a cell is right, as far as two decimals show. */
+export function isRightNumber(given: string, right: string): boolean {
+  const roundoff = 1e-9;
+  return Math.abs((typedNumber(given) ?? NaN) - Number(right)) <= tolerance + roundoff;
+}
+
+/** Whether a part is answered correctly; the order matters in a row and in a table. */
 export function isRight({ asks, right }: Part, given: readonly string[]): boolean {
-  if (forms[asks][0] !== 'some') return same(given, right);
+  const [form] = forms[asks];
+  if (form === 'table') return right.every((value, i) => isRightNumber(given[i] ?? '', value));
+  if (form !== 'some') return same(given, right);
   return same([...given].sort(), [...right].sort());
 }
 

@@ -25,23 +25,37 @@ const questionsOf = (xml: string): readonly Imported[] => imported(xml).slice(1)
 const rightOf = ({ options }: Choice): number =>
   options.findIndex(({ fraction }) => fraction === 100);
 
-/** The choices that belong to each part: one; one for each option; or one for each place of a row. */
+/** The choices that belong to each part: one; one for each option; or one for each place of a row or cell of a table. */
 function choicesByPart(
   { parts }: Question,
   choices: readonly Choice[],
 ): readonly (readonly Choice[])[] {
   let from = 0;
-  return parts.map(({ asks, options, given = [] }) => {
+  return parts.map(({ asks, options, right, given = [] }) => {
+    const [form] = forms[asks];
     const places = asks === 'signs' ? given.length : options.length;
-    const length = forms[asks][0] === 'one' ? 1 : places;
+    const length = { one: 1, some: places, row: places, table: right.length }[form];
     from += length;
     return choices.slice(from - length, from);
   });
 }
 
+/** The number that is right in a choice, or after it the nearest number that is wrong by its tolerance. */
+function numberOf({ options }: Choice, place: number): string {
+  const [value = NaN, tolerance = NaN] = options[0]?.html.split(':').map(Number) ?? [];
+  return String(place === 0 ? value : value + 1.01 * tolerance);
+}
+
 /** The answer to a part that these options of its choices give. */
-function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly string[] {
+function valuesOf(
+  { asks, options }: Part,
+  chosen: readonly number[],
+  choices: readonly Choice[],
+): readonly string[] {
   const [form] = forms[asks];
+  if (form === 'table') {
+    return choices.map((choice, i) => numberOf(choice, chosen[i] ?? 0));
+  }
   const value = (place: number): readonly string[] =>
     options.slice(place, place + 1).map((o) => o.value);
   if (form !== 'some') return chosen.flatMap(value);
@@ -69,13 +83,15 @@ describe.each(byTrace)('the questions of %s for Moodle', (name) => {
       const choices = choicesByPart(question, read[n]?.choices ?? []);
       const right = choices.map((each) => each.map(rightOf));
       const graded = (places: readonly (readonly number[])[]): readonly boolean[] => {
-        const answer: Answer = question.parts.map((part, i) => valuesOf(part, places[i] ?? []));
+        const answer: Answer = question.parts.map((part, i) =>
+          valuesOf(part, places[i] ?? [], choices[i] ?? []),
+        );
         return grade(question, answer);
       };
       expect(graded(right)).not.toContain(false);
       choices.forEach((part, i) =>
         part.forEach(({ options }, j) => {
-          const other = ((right[i]?.[j] ?? 0) + 1) % options.length;
+          const other = ((right[i]?.[j] ?? 0) + 1) % Math.max(2, options.length);
           const wrong = right.map((places, k) =>
             places.map((place, l) => (k === i && l === j ? other : place)),
           );

@@ -10,7 +10,7 @@ import { reasonsOf } from './reasons.js';
 import type { Reason } from './reasons.js';
 import { runOf } from './score.js';
 import type { Answered } from './score.js';
-import { answerOf, emptySheet, hinted, pressed } from './sheet.js';
+import { answerOf, emptySheet, filledIn, hinted, pressed } from './sheet.js';
 import type { Entry, Sheet } from './sheet.js';
 import { targetsOf } from './targets.js';
 import type { View } from '../algorithm/view.js';
@@ -206,6 +206,11 @@ export class Predictor {
   /** Replaces the text of a row. */
   type(part: number, text: string): void {
     this.enter(part, (_, old) => ({ ...old, chosen: text === '' ? [] : [text] }));
+  }
+
+  /** Replaces the text in a cell of a table. */
+  fillIn(part: number, cell: number, text: string): void {
+    this.enter(part, (asked, old) => filledIn(asked, old, cell, text));
   }
 
   hint(part: number): void {

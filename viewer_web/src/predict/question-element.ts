@@ -11,13 +11,15 @@ import type { PredictTexts } from '../language/predict-texts.js';
 import type { Command } from '../time/command.js';
 import { optionName, valueName } from './answers.js';
 import type { Current, Predictor } from './predictor.js';
-import { parts as forms } from './question.js';
+import { columns, parts as forms } from './question.js';
 import type { Part } from './question.js';
 import { questionStyle } from './question.style.js';
 import { stepAgainst } from './reasons.js';
 import type { Reason } from './reasons.js';
-import { sayEntry, sayIntro, sayRight } from './say.js';
+import { sayCell, sayEntry, sayIntro, sayRight, sayRightCell } from './say.js';
+import { isRightNumber, typedNumber } from './grade.js';
 import { answerOf, firstWrong, hintCost } from './sheet.js';
+import type { Wrong } from './sheet.js';
 
 /** A question as a form, and the result of the answer. */
 @customElement('vidno-question')
@@ -57,8 +59,14 @@ export class QuestionElement extends LitElement {
     const { question, sheet } = this.current;
     const missing = answerOf(question, sheet).indexOf(null);
     this.isMissing = missing >= 0;
-    if (this.isMissing) this.inputsOf(missing)[0]?.focus();
-    else this.predictor.answer();
+    if (!this.isMissing) {
+      this.predictor.answer();
+      return;
+    }
+    const inputs = this.inputsOf(missing);
+    const isEmpty = ({ type, value }: HTMLInputElement): boolean =>
+      type === 'text' && typedNumber(value) === null;
+    (inputs.find(isEmpty) ?? inputs[0])?.focus();
   }
 
   private inputsOf(part: number): readonly HTMLInputElement[] {
@@ -93,7 +101,6 @@ export class QuestionElement extends LitElement {
   private field(part: Part, i: number): TemplateResult {
     const { say, view } = this;
     const { verdict } = this.current;
-    const [form] = forms[part.asks];
     const isRight = verdict?.right[i] === true;
     const isInHand = verdict === null && i === this.current.part;
     const given = (part.given ?? []).map(
@@ -114,8 +121,7 @@ export class QuestionElement extends LitElement {
               ${given}
             </ul>`
       }
-      ${form === 'row' ? this.row(part, i) : this.options(part, i, form === 'one')}
-      ${this.hinted(part, i)}
+      ${this.answer(part, i)} ${this.hinted(part, i)}
       ${
         verdict === null || isRight
           ? nothing
@@ -125,15 +131,24 @@ export class QuestionElement extends LitElement {
     </fieldset>`;
   }
 
+  /** The part's place for an answer. */
+  private answer(part: Part, i: number): TemplateResult {
+    const [form] = forms[part.asks];
+    if (form === 'table') return this.table(part, i);
+    return form === 'row' ? this.row(part, i) : this.options(part, i, form === 'one');
+  }
+
   /** What the last hint for a part said. */
   private hinted(part: Part, i: number): TemplateResult | typeof nothing {
     const { say, view, current } = this;
     const { hinted } = current.sheet[i] ?? {};
     if (hinted === undefined || current.verdict !== null) return nothing;
-    const said =
-      hinted === null
-        ? say.hintedNothing
-        : say.hinted[forms[part.asks][0]](sayEntry(part, hinted, view.language));
+    const [form] = forms[part.asks];
+    const entry = (value: string): string =>
+      form === 'table'
+        ? sayRightCell(part, Number(value), view.language)
+        : sayEntry(part, value, view.language);
+    const said = hinted === null ? say.hintedNothing : say.hinted[form](entry(hinted));
     return html`<p class="hinted" role="status">${said}</p>`;
   }
 
@@ -156,13 +171,20 @@ export class QuestionElement extends LitElement {
   private firstWrong(part: Part, given: readonly string[] | null): TemplateResult | typeof nothing {
     const wrong = given && firstWrong(part, given);
     if (wrong === null || forms[part.asks][0] === 'one') return nothing;
-    const { say, view, current } = this;
-    const { value } = wrong;
-    const entry = value === null ? say.tooLong : sayEntry(part, value, view.language);
+    const { say, current } = this;
+    const entry = this.wrongEntry(part, wrong);
     const step = stepAgainst(current.question, part, wrong);
     const reason = this.reasons.find((each) => each.step === step);
     return html`<p class="first-wrong">${say.firstWrong(entry)}</p>
       ${reason === undefined ? nothing : html`<div class="reasons">${this.reason(reason)}</div>`}`;
+  }
+
+  private wrongEntry(part: Part, { value, at }: Wrong): string {
+    const { language } = this.view;
+    if (value === null) return this.say.tooLong;
+    return forms[part.asks][0] === 'table'
+      ? sayRightCell(part, at, language)
+      : sayEntry(part, value, language);
   }
 
   private reason({ step, said }: Reason): TemplateResult {
@@ -217,6 +239,47 @@ export class QuestionElement extends LitElement {
         )}
       </div>
       <p class="hint" id="row-${i}">${hint}</p>`;
+  }
+
+  private table(part: Part, i: number): TemplateResult {
+    const { say, current } = this;
+    const { language } = this.view;
+    const { chosen = [] } = current.sheet[i] ?? {};
+    const { entry, columns: names, hint } = say.table;
+    const cell = (at: number): TemplateResult => {
+      const text = chosen[at] ?? '';
+      const isWrong = current.verdict !== null && !isRightNumber(text, part.right[at] ?? '');
+      return html`<td>
+        <input
+          type="text"
+          inputmode="decimal"
+          aria-label=${sayCell(at, language)}
+          aria-describedby="table-${i}"
+          aria-invalid=${isWrong}
+          .value=${live(text)}
+          @input=${({ target }: Event) => this.predictor.fillIn(i, at, (target as HTMLInputElement).value)}
+        />
+      </td>`;
+    };
+    const rows = Array.from({ length: part.right.length / columns.length }, (_, row) => row);
+    return html`<table>
+        <thead>
+          <tr>
+            <td></td>
+            ${columns.map((each) => html`<th scope="col">${names[each]}</th>`)}
+          </tr>
+        </thead>
+        <tbody>
+          ${rows.map(
+            (row) =>
+              html`<tr>
+                <th scope="row">${entry(row + 1)}</th>
+                ${columns.map((_, column) => cell(row * columns.length + column))}
+              </tr>`,
+          )}
+        </tbody>
+      </table>
+      <p class="hint" id="table-${i}">${hint}</p>`;
   }
 
   private toDo(): TemplateResult {

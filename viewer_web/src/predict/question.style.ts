@@ -93,6 +93,24 @@ export const questionStyle = css`
     background: var(--well);
     font-family: var(--mono);
   }
+  table {
+    margin-top: 0.2rem;
+    border-collapse: collapse;
+  }
+  th,
+  td {
+    padding: 0.1rem 0.5rem 0.1rem 0;
+    font-weight: 400;
+    text-align: left;
+  }
+  td input[type='text'] {
+    width: 7em;
+    margin-top: 0;
+  }
+  [aria-invalid='true'] {
+    border-color: var(--bad);
+    color: var(--bad);
+  }
   .hint {
     color: var(--soft);
     font-size: 0.92em;

@@ -28,8 +28,8 @@ export const kinds = [
 ] as const;
 export type Kind = (typeof kinds)[number];
 
-/** How a part is answered: by one of its options, by any set of them, or by a typed row of them. */
-export type Form = 'one' | 'some' | 'row';
+/** How a part is answered: by one of its options, by any set of them, by a typed row of them, or by a table of numbers. */
+export type Form = 'one' | 'some' | 'row' | 'table';
 
 /** The type of a part's options, which determines how they are shown. */
 export type Of =
@@ -71,6 +71,7 @@ export const parts = {
   leave: ['some', 'edge'],
   enter: ['some', 'edge'],
   order: ['row', 'edge'],
+  entries: ['table', 'number'],
   shown: ['some', 'column'],
   pixelDepths: ['one', 'relation'],
   lies: ['one', 'lies'],
@@ -112,6 +113,10 @@ export interface Option {
   readonly places?: readonly Mark[];
 }
 
+/** The columns of the tables to be filled in: for an active edge, its x on the scanline and its last row. */
+export const columns = ['x', 'until'] as const;
+export type Column = (typeof columns)[number];
+
 /** Denotes, in a list of vertices, one that a crossing makes. */
 export const crossing = 'x';
 
@@ -134,13 +139,13 @@ export interface Given extends Option {
   readonly of: Of;
 }
 
-/** One thing that a question asks. An answer is a list of option values. */
+/** One thing that a question asks. An answer is a list of option values; for a table, of the numbers in its cells, row by row. */
 export interface Part {
   readonly asks: Asks;
   readonly options: readonly Option[];
   readonly right: readonly string[];
   readonly given?: readonly Given[];
-  /** The step that decides an option, or an entry of a row; without it, the last step that decides the question. */
+  /** The step that decides an option, an entry of a row, or a cell; without it, the last step that decides the question. */
   decidedBy?(value: string | null, at: number): number | undefined;
 }
 

@@ -96,17 +96,27 @@ describe('Warnock’s algorithm asks', () => {
 
 describe('the Z-buffer asks', () => {
   it('for the list of active edges on the first scanline', async () => {
-    // Row -1 has its centre at y = -0.5, where B begins: edge 2 moves right by 1.5 / 3 per row, edge 0 by 3.5 / 0.5.
+    // Row -1 has its centre at y = -0.5, where B begins at x = 2.5: edge 2 moves right by 1.5 / 3 per row, edge 0 by 3.5 / 0.5.
+    // Edge 0 ends at y = 0. Edge 2 ends at (4, 2.5), the lowest point, which is on the centre line of row 2.
     const question = questionFrom(await small('zbuffer.signs'), 65, 'ael');
     expect(question.about).toEqual({ polygon: 'B', row: null });
-    expect(answers(question)).toEqual({ enter: ['0', '2'], order: ['2', '0'] });
+    expect(answers(question)).toEqual({
+      enter: ['0', '2'],
+      order: ['2', '0'],
+      entries: ['2.5', '2', '2.5', '-1'],
+    });
   });
 
   it('and on the next one, with the edges that leave and enter', async () => {
     // Edge 0 ends at y = 0, before the centre 0.5; there edge 1 has begun: x = 6 - 2 * 0.5 / 2.5 = 5.6; edge 2: x = 3.
     const question = questionFrom(await small('zbuffer.signs'), 72, 'ael');
     expect(question.about).toEqual({ polygon: 'B', row: -1 });
-    expect(answers(question)).toEqual({ leave: ['0'], enter: ['1'], order: ['2', '1'] });
+    expect(answers(question)).toEqual({
+      leave: ['0'],
+      enter: ['1'],
+      order: ['2', '1'],
+      entries: ['3', '2', '5.6', '2'],
+    });
   });
 
   it('at which pixels of a row a polygon is visible', async () => {

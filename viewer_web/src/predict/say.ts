@@ -4,7 +4,7 @@ import { withoutDoubledSigns } from '../language/words.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
-import { between, none, parts } from './question.js';
+import { between, columns, none, parts } from './question.js';
 import type {
   Abouts,
   Asks,
@@ -34,7 +34,7 @@ const words: Readonly<Record<Of, Say>> = {
   yes: (value, language) => texts[language].page[value === 'yes' ? 'yes' : 'no'],
   lies: (value, language) => texts[language].predict.lies[value as Lies],
   test: (value, language) => `${value}: ${texts[language].predict.tests[value as Test]}`,
-  number: itself,
+  number: (value, language) => texts[language].numbers.short(Number(value)),
   sign: itself,
   vertex: itself,
   point: (value) => value,
@@ -89,6 +89,17 @@ export function sayEntry({ asks, options }: Part, value: string, language: Langu
     : words[of](value, language);
 }
 
+/** The name of a cell of a table: its row, from 1, and its column. */
+export function sayCell(cell: number, language: Language): string {
+  const { entry, columns: names } = texts[language].predict.table;
+  const row = Math.floor(cell / columns.length);
+  return `${entry(row + 1)}, ${names[columns[cell % columns.length] ?? 'x']}`;
+}
+
+/** A cell of a table, with the right number in it. */
+export const sayRightCell = (part: Part, cell: number, language: Language): string =>
+  `${sayCell(cell, language)}: ${sayEntry(part, part.right[cell] ?? '', language)}`;
+
 /** The right answer to a part, in words. */
 export function sayRight(part: Part, language: Language): string {
   const { asks, right } = part;
@@ -99,5 +110,6 @@ export function sayRight(part: Part, language: Language): string {
       ? texts[language].predict.relations[value as Relation]
       : sayEntry(part, value, language);
   if (right.length === 0) return texts[language].predict.empty;
+  if (form === 'table') return right.map((_, i) => sayRightCell(part, i, language)).join('; ');
   return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');
 }

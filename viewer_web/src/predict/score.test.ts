@@ -41,7 +41,7 @@ describe('a score', () => {
     expect(score).toMatchObject({
       format: 'vidno-score/1',
       name: 'Ada',
-      total: { asked: 3, right: 1, given_up: 1, points: 4, parts: 7 },
+      total: { asked: 3, right: 1, given_up: 1, points: 4, parts: 8 },
       kinds: {
         window: { asked: 1, right: 1, given_up: 0 },
         corners: { asked: 1, right: 0, given_up: 0 },
@@ -84,7 +84,7 @@ describe('a score', () => {
     ]);
     expect(second?.answers[0]).toMatchObject({
       given_up: true,
-      parts: [{ given: null }, { given: null }],
+      parts: [{ given: null }, { given: null }, { given: null }],
     });
   });
 

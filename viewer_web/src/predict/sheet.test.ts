@@ -1,7 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import type { Part, Question } from './question.js';
 import { optionsOf } from './asker.js';
-import { answerOf, emptySheet, firstWrong, hintCost, hinted, pointsOf, pressed } from './sheet.js';
+import {
+  answerOf,
+  emptySheet,
+  filledIn,
+  firstWrong,
+  hintCost,
+  hinted,
+  pointsOf,
+  pressed,
+} from './sheet.js';
 import type { Entry } from './sheet.js';
 
 const sees: Part = { asks: 'wins', options: optionsOf(['A', 'B', 'C']), right: ['B'] };
@@ -11,6 +20,7 @@ const list: Part = {
   options: optionsOf(['1', '2', '3', 'x']),
   right: ['x', 'x', '2', '3'],
 };
+const table: Part = { asks: 'entries', options: [], right: ['7.75', '3', '6.25', '5'] };
 const asked: Question = {
   kind: 'point',
   step: 1,
@@ -47,6 +57,32 @@ describe('an option that is chosen', () => {
   });
 });
 
+describe('a cell of a table', () => {
+  const filled = (...cells: readonly string[]): Entry =>
+    cells.reduce((entry, text, cell) => filledIn(table, entry, cell, text), blank);
+
+  it('is filled in alone', () => {
+    expect(filledIn(table, blank, 2, '6.25').chosen).toEqual(['', '', '6.25', '']);
+    expect(filledIn(table, filled('1', '2'), 1, '3').chosen).toEqual(['1', '3', '', '']);
+  });
+
+  it('holds a number when the table is an answer', () => {
+    const answerWith = (...cells: readonly string[]) =>
+      answerOf({ ...asked, parts: [table] }, [filled(...cells)])[0];
+    expect(answerWith('7,75', '3', '25/4', '5')).toEqual(['7,75', '3', '25/4', '5']);
+    expect(answerWith('7.75', '3', '6.25')).toBeNull();
+    expect(answerWith('7.75', '3', 'left', '5')).toBeNull();
+  });
+
+  it('is put right by a hint, for a quarter of the point of four cells', () => {
+    const first = hinted(table, filled('7.75', '4'));
+    expect(first).toMatchObject({ chosen: ['7.75', '3', '', ''], hinted: '1', hints: 1 });
+    expect(hinted(table, first)).toMatchObject({ chosen: ['7.75', '3', '6.25', ''], hinted: '2' });
+    expect(hinted(table, filled('7.75', '3', '6.25', '5')).hinted).toBeNull();
+    expect(hintCost(table)).toBe(1 / 4);
+  });
+});
+
 describe('the first wrong entry', () => {
   it.each([
     [shown, ['4', '5'], null],
@@ -55,6 +91,8 @@ describe('the first wrong entry', () => {
     [list, ['x', '2', '3'], { value: 'x', at: 1 }],
     [list, ['x', 'x', '2', '3', '1'], { value: null, at: 4 }],
     [sees, ['A'], { value: 'B', at: 0 }],
+    [table, ['31/4', '3', '6.25', '5'], null],
+    [table, ['7.75', '3', '6.5', '4'], { value: '6.25', at: 2 }],
   ])('of %o for %o is %o', (part, given, wrong) => {
     expect(firstWrong(part, given)).toEqual(wrong);
   });

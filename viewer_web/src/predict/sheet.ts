@@ -1,16 +1,16 @@
 import { crossing, parts as forms } from './question.js';
 import type { Part, Question } from './question.js';
-import { emptyRow, typedRow } from './grade.js';
+import { emptyRow, isRightNumber, typedNumber, typedRow } from './grade.js';
 import type { Answer } from './grade.js';
 
 /** What the reader has entered in answer to one part, and the hints taken for it. */
 export interface Entry {
-  /** The chosen values; for a row, its typed text. */
+  /** The chosen values; for a row, its typed text; for a table, the typed text of each cell. */
   readonly chosen: readonly string[];
   readonly hints: number;
   /** The options that hints have ruled out. */
   readonly ruledOut: readonly string[];
-  /** The outcome of the last hint: the value that it put right, or null if there was nothing to put right. */
+  /** The outcome of the last hint: the value that it put right, in a table its cell; null if there was nothing to put right. */
   readonly hinted?: string | null;
 }
 
@@ -19,6 +19,10 @@ export type Sheet = readonly Entry[];
 
 export const emptySheet = ({ parts }: Question): Sheet =>
   parts.map(() => ({ chosen: [], hints: 0, ruledOut: [] }));
+
+/** The text of each cell of a table. */
+const cellsOf = ({ right }: Part, { chosen }: Pick<Entry, 'chosen'>): readonly string[] =>
+  right.map((_, i) => chosen[i] ?? '');
 
 const typedOf = (part: Part, { chosen }: Entry): readonly string[] =>
   typedRow(part, chosen[0] ?? '') ?? [];
@@ -33,6 +37,10 @@ export function answerOf({ parts }: Question, sheet: Sheet): Answer {
     const chosen = sheet[i]?.chosen ?? [];
     const [form] = forms[part.asks];
     if (form === 'row') return typedRow(part, chosen[0] ?? '');
+    if (form === 'table') {
+      const cells = cellsOf(part, { chosen });
+      return cells.some((text) => typedNumber(text) === null) ? null : cells;
+    }
     return form === 'one' && chosen.length === 0 ? null : chosen;
   });
 }
@@ -53,9 +61,15 @@ export function pressed(part: Part, entry: Entry, value: string): Entry {
   return { ...entry, chosen: form === 'row' && now.length > 0 ? written(now) : now };
 }
 
+/** The entry after text was typed into a cell of a table. */
+export function filledIn(part: Part, entry: Entry, cell: number, text: string): Entry {
+  return { ...entry, chosen: cellsOf(part, entry).map((old, i) => (i === cell ? text : old)) };
+}
+
 /** The share of a part's point that each hint costs. */
 export function hintCost({ asks, options, right }: Part): number {
-  const counts = { one: options.length - 1, some: options.length, row: right.length };
+  const { length } = right;
+  const counts = { one: options.length - 1, some: options.length, row: length, table: length };
   return 1 / Math.max(1, counts[forms[asks][0]]);
 }
 
@@ -67,6 +81,10 @@ export function firstWrong(part: Part, given: readonly string[]): Wrong | null {
     const at = Array.from({ length: Math.max(given.length, right.length) }).findIndex(
       (_, i) => given[i] !== right[i],
     );
+    return at < 0 ? null : { value: right[at] ?? null, at };
+  }
+  if (form === 'table') {
+    const at = right.findIndex((value, i) => !isRightNumber(given[i] ?? '', value));
     return at < 0 ? null : { value: right[at] ?? null, at };
   }
   if (form === 'one') {
@@ -82,7 +100,7 @@ export interface Wrong {
   readonly at: number;
 }
 
-/** The entry after a hint: it rules out a wrong option of several, or puts the first wrong entry right. */
+/** The entry after a hint: it rules out a wrong option of several, or puts the first wrong entry or cell right. */
 export function hinted(part: Part, entry: Entry): Entry {
   const { chosen, ruledOut } = entry;
   const hints = entry.hints + 1;
@@ -97,6 +115,11 @@ export function hinted(part: Part, entry: Entry): Entry {
   }
   const given = form === 'row' ? typedOf(part, entry) : chosen;
   const wrong = firstWrong(part, given);
+  if (form === 'table') {
+    if (wrong === null) return { ...entry, hints, hinted: null };
+    const { at, value } = wrong;
+    return { ...filledIn(part, entry, at, value ?? ''), hints, hinted: String(at) };
+  }
   if (wrong === null && (form === 'some' || chosen.length > 0)) {
     return { ...entry, hints, hinted: null };
   }

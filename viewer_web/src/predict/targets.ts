@@ -12,7 +12,7 @@ import { sayNoted } from './say.js';
 import { answerOf } from './sheet.js';
 import type { Sheet } from './sheet.js';
 
-const roles = { one: 'radio', some: 'checkbox', row: 'button' } as const;
+const roles = { one: 'radio', some: 'checkbox', row: 'button', table: 'button' } as const;
 
 /** The places of an option in the picture: its own ones, or those of the polygon, edge or corner that it is. */
 function placesOf(question: Question, asks: Asks, option: Option, view: View): readonly Mark[] {

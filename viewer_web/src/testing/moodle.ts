@@ -1,4 +1,4 @@
-/** A choice in Moodle's reading. */
+/** A choice in Moodle's reading. A number has one option: its value and how far from it an answer may be. */
 export interface Choice {
   readonly weight: number;
   readonly type: string;
@@ -33,7 +33,10 @@ const textIn = (xml: string, name: string): string =>
 
 /** A character after a backslash or an ampersand does not end anything. */
 const notQuoted = '(?<!\\\\|&|&amp;)';
-const choicePattern = new RegExp(`\\{(\\d*):(MULTICHOICE(?:_V)?):(.+?)${notQuoted}\\}`, 'gs');
+const choicePattern = new RegExp(
+  `\\{(\\d*):(MULTICHOICE(?:_V)?|NUMERICAL):(.+?)${notQuoted}\\}`,
+  'gs',
+);
 
 function optionOf(written: string): Choice['options'][number] {
   const [, all, , percent, answer = ''] =

@@ -2,6 +2,8 @@ import { polygonThing } from '../algorithm/pointed.js';
 import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { edgeNote, mostOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
+import { toNumber } from '../language/words.js';
+import { columns } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
 
 /** What is the active edge list on the next scanline? */
@@ -33,6 +35,19 @@ export const ael: Asker<'ael'> = {
       right: dropped.flatMap(({ event }) => event.edges.map(String)),
       decidedBy: (edge) => dropped.find(({ event }) => event.edges.includes(Number(edge)))?.step,
     };
+    const stepped = stepsOf(trace, step, until, 'ael_step');
+    const then = trace.timeline.seek(until).values.zbuffer?.ael ?? [];
+    const entries: Part = {
+      asks: 'entries',
+      options: [],
+      right: then.flatMap(({ x, until: last }) =>
+        [x, last].map((value) => String(toNumber(value))),
+      ),
+      decidedBy(_, at) {
+        const edge = then[Math.floor(at / columns.length)]?.edge;
+        return [...added, ...stepped].find(({ event }) => event.edge === edge)?.step;
+      },
+    };
     return {
       kind: 'ael',
       step,
@@ -47,8 +62,9 @@ export const ael: Asker<'ael'> = {
           decidedBy: (edge) => added.find(({ event }) => String(event.edge) === edge)?.step,
         },
         { asks: 'order', options: [...active, ...coming], right: sort.event.edges.map(String) },
+        ...(entries.right.every((value) => Number.isFinite(Number(value))) ? [entries] : []),
       ],
-      because: inOrder(dropped, stepsOf(trace, step, until, 'scanline'), added, [sort]),
+      because: inOrder(dropped, stepped, stepsOf(trace, step, until, 'scanline'), added, [sort]),
       things: [polygonThing(polygon.id)],
     };
   },
