@@ -39,10 +39,38 @@ const courses: readonly Course[] = [
   },
   { name: 'PolygonClip', traces: clipped, inPicture: ['clip'], inPanel: [] },
   {
+    name: 'planes and depths',
+    traces: [small, lesson('02-corner-depths.warnock.double.corrected.signs'), ...clipped, ...rows],
+    inPicture: [],
+    inPanel: ['plane', 'depth'],
+  },
+  { name: 'FillPolygon', traces: [small, ...clipped], inPicture: ['fill'], inPanel: [] },
+  {
+    name: 'VertexSplit',
+    traces: [sampleTrace('small.warnock-vertex.signs')],
+    inPicture: [],
+    inPanel: ['split'],
+  },
+  {
+    name: 'EdgeDepth',
+    traces: [sampleTrace('edges.warnock-edges.signs')],
+    inPicture: ['edgeDepth'],
+    inPanel: [],
+  },
+  {
+    name: 'BackFaces',
+    traces: [
+      sampleTrace('body.warnock-bodies.signs'),
+      lesson('11-warnock-family.bodies.warnock-bodies.double.corrected.signs'),
+    ],
+    inPicture: [],
+    inPanel: ['facing'],
+  },
+  {
     name: 'the relation test',
     traces: [sampleTrace('small.warnock-full.signs')],
     inPicture: [],
-    inPanel: ['relation', 'ray'],
+    inPanel: ['relation', 'trial', 'ray'],
   },
   {
     name: 'the sum of angles',

@@ -16,7 +16,7 @@ export interface PredictTexts {
   readonly intro: { readonly [K in Kind]: (about: Abouts[K]) => string };
   readonly asks: Readonly<Record<Asks, string>>;
   /** The format of an answer of several values. */
-  readonly rows: Readonly<Record<'signs' | 'list' | 'order' | 'walked', string>>;
+  readonly rows: Readonly<Record<'signs' | 'cornerSigns' | 'list' | 'order' | 'walked', string>>;
   /** A table of numbers: the names of its rows, from 1, and of its columns, and how to write a number. */
   readonly table: {
     readonly entry: (number: number) => string;

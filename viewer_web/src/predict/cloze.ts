@@ -2,7 +2,7 @@ import { element, writable } from '../base/xml.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { tolerance } from './grade.js';
-import { columns, crossing, none, parts as forms } from './question.js';
+import { columnsOf, crossing, none, parts as forms } from './question.js';
 import type { Asks, Option, Part, Question } from './question.js';
 import { sayNone, sayNoted, sayValue } from './say.js';
 
@@ -20,7 +20,7 @@ interface Choice {
 }
 
 /** Whether a row has a place for each thing that the part is about. */
-const isByGiven = ({ asks }: Part): boolean => asks === 'signs';
+const isByGiven = ({ asks }: Part): boolean => asks === 'signs' || asks === 'cornerSigns';
 
 function sayOption(asks: Asks, option: Option, language: Language): string {
   return option.value === none
@@ -83,14 +83,19 @@ const table = (rows: readonly string[]): string =>
   element('table', [], element('tbody', [], rows.join('')));
 
 /** A table of numbers to be filled in, with the names of its rows and columns. */
-function tableHtml({ right }: Part, weight: number, language: Language): string {
+function tableHtml(part: Part, weight: number, language: Language): string {
+  const { right } = part;
+  const columns = columnsOf(part);
   const { entry, columns: names } = texts[language].predict.table;
   const gaps = right.map((value) => `{${weight}:NUMERICAL:=${value}:${tolerance}}`);
   const rows = Array.from({ length: right.length / columns.length }, (_, i) => i);
   return table([
     row(['', ...columns.map((each) => inert(names[each]))]),
     ...rows.map((i) =>
-      row([inert(entry(i + 1)), ...gaps.slice(i * columns.length, (i + 1) * columns.length)]),
+      row([
+        rows.length === 1 ? '' : inert(entry(i + 1)),
+        ...gaps.slice(i * columns.length, (i + 1) * columns.length),
+      ]),
     ),
   ]);
 }

@@ -4,6 +4,7 @@ import { gunzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { answers, everyQuestion, sorted } from '../testing/questions.js';
 import type { Agrees } from '../testing/questions.js';
+import { polygonsAgree } from '../testing/polygon-answers.js';
 import { regionsAgree } from '../testing/region-answers.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import { toNumber } from '../language/words.js';
@@ -65,6 +66,7 @@ function surrounds({ header }: Trace, { polygon: id, window }: About): boolean |
 
 /** How the state after the question's steps must agree, independent of the events that the question used. */
 const agrees: Readonly<Record<Kind, Agrees>> = {
+  ...polygonsAgree,
   ...regionsAgree,
   window: ({ trace, after, right }) => {
     const { warnock } = after;

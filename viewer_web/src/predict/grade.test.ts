@@ -36,13 +36,13 @@ describe('a table of numbers', () => {
   // 10/3 and 7, each in its cell.
   const table: Part = { asks: 'entries', options: [], right: [String(10 / 3), '7'] };
 
-  it('is right if each cell is, to two decimals', () => {
-    expect(isRight(table, ['3.33', '7'])).toBe(true);
+  it('is right if each cell is, to three decimals', () => {
+    expect(isRight(table, ['3.333', '7'])).toBe(true);
     expect(isRight(table, ['10/3', '7,00'])).toBe(true);
-    expect(isRight(table, ['3.3', '7'])).toBe(false);
-    expect(isRight(table, ['3.34', '7'])).toBe(false);
-    expect(isRight(table, ['7', '3.33'])).toBe(false);
-    expect(isRight(table, ['3.33'])).toBe(false);
+    expect(isRight(table, ['3.33', '7'])).toBe(false);
+    expect(isRight(table, ['3.334', '7'])).toBe(false);
+    expect(isRight(table, ['7', '3.333'])).toBe(false);
+    expect(isRight(table, ['3.333'])).toBe(false);
   });
 
   it.each([

@@ -15,10 +15,10 @@ export function typedNumber(text: string): number | null {
   return above === '' || !Number.isFinite(value) ? null : value;
 }
 
-/** How far from the right number a cell may be: by rounding to two decimals. */
-export const tolerance = 0.005;
+/** How far from the right number a cell may be: by rounding to three decimals. */
+export const tolerance = 0.0005;
 
-/** Whether the number in a cell is right, as far as two decimals show. */
+/** Whether the number in a cell is right, as far as three decimals show. */
 export function isRightNumber(given: string, right: string): boolean {
   const roundoff = 1e-9;
   return Math.abs((typedNumber(given) ?? NaN) - Number(right)) <= tolerance + roundoff;

@@ -33,7 +33,8 @@ function choicesByPart(
   let from = 0;
   return parts.map(({ asks, options, right, given = [] }) => {
     const [form] = forms[asks];
-    const places = asks === 'signs' ? given.length : options.length;
+    const isByGiven = asks === 'signs' || asks === 'cornerSigns';
+    const places = isByGiven ? given.length : options.length;
     const length = { one: 1, some: places, row: places, table: right.length }[form];
     from += length;
     return choices.slice(from - length, from);
@@ -163,7 +164,8 @@ describe('a question for Moodle', () => {
   });
 
   it('shows the picture of its step, and explains its answer', async () => {
-    const [first] = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
+    const all = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
+    const first = all.find(({ name }) => name.startsWith('Step 4:'));
     expect(first?.files.map(({ name }) => name)).toEqual(['step-4.svg']);
     expect(first?.html).toContain('src="@@PLUGINFILE@@/step-4.svg"');
     expect(first?.files[0]?.content).toContain('· Step 4</title>');

@@ -19,6 +19,9 @@ import type { Target } from '../picture/target.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
 
+/** Mere calculations, which would be the first question of each run, are asked only if the reader chooses them. */
+const calculations: readonly Kind[] = ['plane', 'depth'];
+
 /** The element that replays the run during predictions. */
 export interface Predicted extends ReactiveControllerHost, HTMLElement {
   readonly trace: Trace | null;
@@ -54,7 +57,7 @@ export interface Current {
 export class Predictor {
   current: Current | null = null;
   record: readonly Answered[] = [];
-  wanted: ReadonlySet<Kind> = new Set(kinds);
+  wanted: ReadonlySet<Kind> = new Set(kinds.filter((kind) => !calculations.includes(kind)));
   /** The reasons for the answer to the current question. */
   reasons: readonly Reason[] = [];
   /** Whether the last search found no further question. */

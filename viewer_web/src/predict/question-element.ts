@@ -11,7 +11,7 @@ import type { PredictTexts } from '../language/predict-texts.js';
 import type { Command } from '../time/command.js';
 import { optionName, valueName } from './answers.js';
 import type { Current, Predictor } from './predictor.js';
-import { columns, parts as forms } from './question.js';
+import { columnsOf, parts as forms } from './question.js';
 import type { Part } from './question.js';
 import { questionStyle } from './question.style.js';
 import { stepAgainst } from './reasons.js';
@@ -246,6 +246,7 @@ export class QuestionElement extends LitElement {
     const { language } = this.view;
     const { chosen = [] } = current.sheet[i] ?? {};
     const { entry, columns: names, hint } = say.table;
+    const columns = columnsOf(part);
     const cell = (at: number): TemplateResult => {
       const text = chosen[at] ?? '';
       const isWrong = current.verdict !== null && !isRightNumber(text, part.right[at] ?? '');
@@ -253,7 +254,7 @@ export class QuestionElement extends LitElement {
         <input
           type="text"
           inputmode="decimal"
-          aria-label=${sayCell(at, language)}
+          aria-label=${sayCell(part, at, language)}
           aria-describedby="table-${i}"
           aria-invalid=${isWrong}
           .value=${live(text)}
@@ -273,7 +274,7 @@ export class QuestionElement extends LitElement {
           ${rows.map(
             (row) =>
               html`<tr>
-                <th scope="row">${entry(row + 1)}</th>
+                <th scope="row">${rows.length === 1 ? nothing : entry(row + 1)}</th>
                 ${columns.map((_, column) => cell(row * columns.length + column))}
               </tr>`,
           )}

@@ -1,18 +1,25 @@
 import type { Texts } from '../language/texts.js';
 import type { Mark } from '../picture/mark.js';
-import type { Box, Corner, Point } from '../trace/values.js';
+import type { Box, Corner, N, Point } from '../trace/values.js';
 
 /** The kinds of questions, in the order of the reader's choice. */
 export const kinds = [
+  'plane',
+  'facing',
   'window',
   'pop',
+  'split',
   'relation',
+  'trial',
   'ray',
   'octants',
   'corners',
+  'depth',
+  'edgeDepth',
   'inside',
   'point',
   'clip',
+  'fill',
   'ael',
   'pixels',
   'flags',
@@ -55,6 +62,15 @@ export type Of =
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
+  plane: ['table', 'number'],
+  away: ['some', 'polygon'],
+  boundaries: ['table', 'number'],
+  splits: ['one', 'yes'],
+  cornerSigns: ['row', 'sign'],
+  meetsFirst: ['one', 'edge'],
+  z: ['table', 'number'],
+  spanning: ['some', 'edge'],
+  covered: ['some', 'column'],
   popped: ['one', 'window'],
   case: ['one', 'case'],
   stay: ['some', 'polygon'],
@@ -113,9 +129,18 @@ export interface Option {
   readonly places?: readonly Mark[];
 }
 
-/** The columns of the tables to be filled in: for an active edge, its x on the scanline and its last row. */
-export const columns = ['x', 'until'] as const;
-export type Column = (typeof columns)[number];
+/** The columns of each table to be filled in. An active edge has its x on the scanline and its last row. */
+const tables = {
+  plane: ['a', 'b', 'd'],
+  boundaries: ['column', 'row'],
+  z: ['z'],
+  entries: ['x', 'until'],
+} as const satisfies Partial<Readonly<Record<Asks, readonly string[]>>>;
+export type Column = (typeof tables)[keyof typeof tables][number];
+
+/** The columns of a part's table; none if its answer is no table. */
+export const columnsOf = ({ asks }: Pick<Part, 'asks'>): readonly Column[] =>
+  asks in tables ? tables[asks as keyof typeof tables] : [];
 
 /** Denotes, in a list of vertices, one that a crossing makes. */
 export const crossing = 'x';
@@ -151,6 +176,20 @@ export interface Part {
 
 /** The data that the text of a question names. */
 export interface Abouts {
+  /** With the coefficient c of its plane. */
+  readonly plane: { readonly polygon: string; readonly c: N };
+  readonly facing: object;
+  /** The number of the vertex, from 0. */
+  readonly split: { readonly polygon: string; readonly vertex: number; readonly window: Box };
+  readonly trial: { readonly polygon: string; readonly edge: number; readonly window: Box };
+  readonly depth: { readonly polygon: string; readonly point: Point; readonly plane: readonly N[] };
+  readonly edgeDepth: { readonly polygon: string; readonly point: Point };
+  /** The outline that is filled. */
+  readonly fill: {
+    readonly polygon: string;
+    readonly row: number;
+    readonly outline: readonly (readonly N[])[];
+  };
   readonly window: { readonly window: Box };
   /** The window that was divided. */
   readonly pop: { readonly divided: Box };

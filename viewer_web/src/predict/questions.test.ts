@@ -94,6 +94,65 @@ describe('Warnock’s algorithm asks', () => {
   });
 });
 
+describe('procedures that compute a number ask', () => {
+  it('for the plane of a polygon', async () => {
+    // B: (3.5, 0.5, 0.1) x (1.5, 3, -0.1) = (-0.35, 0.5, 9.75), and d = 0.35 * 2.5 + 0.5 * 0.5 - 9.75 * 0.3.
+    const question = questionFrom(await small('warnock.signs'), 1, 'plane');
+    expect(question.about).toEqual({ polygon: 'B', c: 9.75 });
+    const [a, b, d] = answers(question)['plane']?.map(Number) ?? [];
+    expect([a, b]).toEqual([expect.closeTo(-0.35, 9), 0.5]);
+    expect(d).toBeCloseTo(-1.8, 9);
+  });
+
+  it('for the depth at a corner of the window', async () => {
+    // The first corner of the window (2, -1) 8 x 8: (1.4 + 1 + 3.6) / 19.5. A is level and is not asked about.
+    const question = questionFrom(await small('warnock.signs'), 1, 'depth');
+    expect(question.about).toMatchObject({ polygon: 'B', point: [2, -1] });
+    expect(Number(answers(question)['z']?.[0])).toBeCloseTo(6 / 19.5, 12);
+  });
+
+  it('for the pixels of a row of a clipped outline', async () => {
+    // The clipped outline has the row y = 1.5 from x = 0.65 on its left edge to x = 4: of the area's columns 1 to 3, all.
+    const question = questionFrom(await traceOf(textOf('clipped.warnock.signs.jsonl')), 1, 'fill');
+    expect(question.about).toMatchObject({ polygon: 'A', row: 1 });
+    expect(answers(question)).toEqual({ covered: ['1', '2', '3'] });
+  });
+
+  it('for the boundaries next to a vertex', async () => {
+    // (2.5, -0.5) lies halfway between boundaries: 2 and -1 are sides of the window, which is not split there.
+    const question = questionFrom(await small('warnock-vertex.signs'), 1, 'split');
+    expect(question.about).toEqual({ polygon: 'B', vertex: 0, window: [2, -1, 5, 4] });
+    expect(answers(question)).toEqual({ boundaries: ['2', '-1'], splits: ['no'] });
+  });
+
+  it('for the first edge that meets a window', async () => {
+    // Edge 0 of A lies on y = -2, above the window (2, -1) 8 x 8; edge 1, on x = 8, divides it.
+    const question = questionFrom(await small('warnock-full.signs'), 1, 'trial');
+    expect(question.about).toEqual({ polygon: 'A', edge: 0, window: [2, -1, 8, 8] });
+    expect(answers(question)).toEqual({ cornerSigns: ['+', '+', '+', '+'], meetsFirst: ['1'] });
+  });
+
+  it('for the depth of an edge-on polygon', async () => {
+    // B lies on the line from (3, 0) to (5, 2). At x = 4.5, three quarters of the way, its edge from z = 0.3 to 0.4 is at 0.375, and
+    // that from 0.2 to 0.3 at 0.225. Its third edge is parallel to z, at the end (5, 2).
+    const trace = await traceOf(textOf('edges.warnock-edges.signs.jsonl'));
+    const question = questionFrom(trace, 1, 'edgeDepth');
+    expect(question.about).toEqual({ polygon: 'B', point: [4.5, 1.5] });
+    expect(answers(question)).toEqual({ spanning: ['0', '2'], z: ['0.375'] });
+  });
+
+  it('for the faces that look away', async () => {
+    // A tetrahedron: A, B and C share the apex at z = 1/2, and D is the base behind it, at z = -1/2.
+    const question = questionFrom(
+      await traceOf(textOf('body.warnock-bodies.signs.jsonl')),
+      1,
+      'facing',
+    );
+    expect(question.parts[0]?.options.map(({ value }) => value)).toEqual(['A', 'B', 'C', 'D']);
+    expect(answers(question)).toEqual({ away: ['D'] });
+  });
+});
+
 describe('the Z-buffer asks', () => {
   it('for the list of active edges on the first scanline', async () => {
     // Row -1 has its centre at y = -0.5, where B begins at x = 2.5: edge 2 moves right by 1.5 / 3 per row, edge 0 by 3.5 / 0.5.
@@ -183,9 +242,16 @@ describe('the next question', () => {
   it('is one that the trace can answer', async () => {
     expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window', 'pop']);
     expect(kindsOf((await small('warnock.polygons')).header)).not.toContain('inside');
-    expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['ael', 'pixels']);
+    expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['plane', 'ael', 'pixels']);
     const wedge = await traceOf(textOf('wedge.weiler-atherton.polygons.jsonl'));
-    expect(kindsOf(wedge.header)).toEqual(['piercing', 'sort', 'parted', 'behind', 'stack']);
+    expect(kindsOf(wedge.header)).toEqual([
+      'plane',
+      'piercing',
+      'sort',
+      'parted',
+      'behind',
+      'stack',
+    ]);
     expect(kindsOf((await small('zbuffer.windows')).header)).toEqual([]);
   });
 

@@ -4,7 +4,7 @@ import { withoutDoubledSigns } from '../language/words.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
-import { between, columns, none, parts } from './question.js';
+import { between, columnsOf, none, parts } from './question.js';
 import type {
   Abouts,
   Asks,
@@ -89,16 +89,19 @@ export function sayEntry({ asks, options }: Part, value: string, language: Langu
     : words[of](value, language);
 }
 
-/** The name of a cell of a table: its row, from 1, and its column. */
-export function sayCell(cell: number, language: Language): string {
+/** The name of a cell of a table: its column and, if there are several, its row, from 1. */
+export function sayCell(part: Part, cell: number, language: Language): string {
   const { entry, columns: names } = texts[language].predict.table;
-  const row = Math.floor(cell / columns.length);
-  return `${entry(row + 1)}, ${names[columns[cell % columns.length] ?? 'x']}`;
+  const columns = columnsOf(part);
+  const column = columns[cell % columns.length];
+  const name = column === undefined ? '' : names[column];
+  const isOnly = part.right.length === columns.length;
+  return isOnly ? name : `${entry(Math.floor(cell / columns.length) + 1)}, ${name}`;
 }
 
 /** A cell of a table, with the right number in it. */
 export const sayRightCell = (part: Part, cell: number, language: Language): string =>
-  `${sayCell(cell, language)}: ${sayEntry(part, part.right[cell] ?? '', language)}`;
+  `${sayCell(part, cell, language)}: ${sayEntry(part, part.right[cell] ?? '', language)}`;
 
 /** The right answer to a part, in words. */
 export function sayRight(part: Part, language: Language): string {

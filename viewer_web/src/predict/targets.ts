@@ -21,7 +21,7 @@ function placesOf(question: Question, asks: Asks, option: Option, view: View): r
   const of = forms[asks][1];
   if (of === 'polygon' && value !== none) return marksOfThing(polygonThing(value), view);
   if (of === 'corner') return marksOfThing(cornerThing(value as Corner), view);
-  if (of !== 'edge') return [];
+  if (of !== 'edge' || value === none) return [];
   const marks = marksOfThing(edgeThing(Number(value)), view);
   if (marks.length > 0 || !('polygon' in question.about)) return marks;
   return edgeOf(view.header.scene.byId.get(question.about.polygon), Number(value), 'pointed');

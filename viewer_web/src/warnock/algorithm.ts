@@ -9,7 +9,14 @@ import type { Event } from '../trace/events.js';
 import { abouts } from './about.js';
 import { clip } from './ask-clip.js';
 import { octants, ray } from './ask-contained.js';
+import { plane } from '../polygons/ask-plane.js';
 import { corners as cornersAsked } from './ask-corners.js';
+import { depth } from './ask-depth.js';
+import { edgeDepth } from './ask-edge-depth.js';
+import { facing } from './ask-facing.js';
+import { fill } from './ask-fill.js';
+import { split } from './ask-split.js';
+import { trial } from './ask-trial.js';
 import { inside } from './ask-inside.js';
 import { point } from './ask-point.js';
 import { pop } from './ask-pop.js';
@@ -77,7 +84,24 @@ defineAlgorithm(methods.filter(hasWindows), {
   entry: ({ event, outcome }, { missed }) =>
     outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,
   abouts,
-  askers: { window, pop, relation, ray, octants, corners: cornersAsked, inside, point, clip },
+  askers: {
+    plane,
+    facing,
+    window,
+    pop,
+    split,
+    relation,
+    trial,
+    ray,
+    octants,
+    corners: cornersAsked,
+    depth,
+    edgeDepth,
+    inside,
+    point,
+    clip,
+    fill,
+  },
   facts,
   polygonsAsked,
   counts: {

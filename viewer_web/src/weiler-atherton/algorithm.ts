@@ -14,6 +14,7 @@ import { facts, polygonsAsked } from './facts.js';
 import { figureOf } from './figure.js';
 import { RegionWatch } from './history.js';
 import { marks } from './marks.js';
+import { plane } from '../polygons/ask-plane.js';
 import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
@@ -48,7 +49,7 @@ defineAlgorithm(['weiler-atherton'], {
       ? { why: 'region', polygon: event.polygon }
       : { why: 'untouched', polygon: null },
   abouts: {},
-  askers: { piercing, sort, parted, entering, walk, behind, stack },
+  askers: { plane, piercing, sort, parted, entering, walk, behind, stack },
   facts,
   polygonsAsked,
   counts: {

@@ -9,6 +9,7 @@ import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { abouts } from './about.js';
+import { plane } from '../polygons/ask-plane.js';
 import { ael } from './ask-ael.js';
 import { pixels } from './ask-pixels.js';
 import { changesAel, course, goals } from './course.js';
@@ -58,7 +59,7 @@ defineAlgorithm(['zbuffer'], {
   entry: ({ event, known, outcome }, { kept }) =>
     outcome === 'fail' && event.e === 'span' ? kept(known.zbuffer?.polygon ?? '') : null,
   abouts,
-  askers: { ael, pixels },
+  askers: { plane, ael, pixels },
   facts,
   polygonsAsked,
   counts: { comparisons: ['pixel'] },

@@ -3,7 +3,7 @@ import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { edgeNote, mostOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { toNumber } from '../language/words.js';
-import { columns } from '../predict/question.js';
+import { columnsOf } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
 
 /** What is the active edge list on the next scanline? */
@@ -44,7 +44,7 @@ export const ael: Asker<'ael'> = {
         [x, last].map((value) => String(toNumber(value))),
       ),
       decidedBy(_, at) {
-        const edge = then[Math.floor(at / columns.length)]?.edge;
+        const edge = then[Math.floor(at / columnsOf({ asks: 'entries' }).length)]?.edge;
         return [...added, ...stepped].find(({ event }) => event.edge === edge)?.step;
       },
     };

@@ -1,5 +1,5 @@
 import type { PredictTexts } from '../../language/predict-texts.js';
-import { point, windowText } from '../../language/words.js';
+import { point, short, windowText } from '../../language/words.js';
 import { places } from './page.js';
 
 const sides = ['top', 'left', 'bottom', 'right'];
@@ -14,6 +14,13 @@ export const predict: PredictTexts = {
   forcedHint: 'The run goes on only when the question is answered or given up.',
   askAbout: 'Ask about',
   kinds: {
+    plane: 'the plane of a polygon',
+    facing: 'back faces',
+    split: 'the split at a vertex',
+    trial: 'an edge that meets the window',
+    depth: 'the depth at a point',
+    edgeDepth: 'the depth of an edge-on polygon',
+    fill: 'the pixels of an outline',
     window: 'the case of a window',
     pop: 'the next window',
     relation: 'the relation to a window',
@@ -37,6 +44,19 @@ export const predict: PredictTexts = {
     stack: 'the next list',
   },
   intro: {
+    plane: ({ polygon, c }) =>
+      `InitializePolygon: the plane a x + b y + c z + d = 0 of ${polygon}. Its c is ${short(c)}.`,
+    facing: () => 'BackFaces: a face that looks away from the viewer does not take part.',
+    split: ({ polygon, vertex, window }) =>
+      `VertexSplit: vertex ${vertex + 1} of ${polygon} lies in the window ${windowText(window)}. It is split at the nearest pixel boundaries, of two equally near ones the lesser, if one of them is inside.`,
+    trial: ({ polygon, edge, window }) =>
+      `TrialFunction: ${polygon} and the window ${windowText(window)}. f is positive on one side of an edge’s line and negative on the other; edge ${edge} is the first.`,
+    depth: ({ polygon, point: at, plane }) =>
+      `Depth: ${polygon} at ${point(at)}. In its plane a x + b y + c z + d = 0, a, b, c and d are ${plane.map(short).join('; ')}.`,
+    edgeDepth: ({ polygon, point: at }) =>
+      `EdgeDepth: ${polygon} is edge-on, and ${point(at)} lies on its line.`,
+    fill: ({ row, outline }) =>
+      `FillPolygon: row ${row} of the outline ${outline.map(point).join(' ')}. A pixel is covered if its centre lies between the ends of the row or on one.`,
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
     pop: ({ divided }) => `The window ${windowText(divided)} was split, and its parts were pushed.`,
     relation: ({ polygon, window }) =>
@@ -80,6 +100,15 @@ export const predict: PredictTexts = {
       `Intersection: a segment of curve ${curve} between two columns. Beside each are its height, which grows downward, and the horizons.`,
   },
   asks: {
+    plane: 'What are the others?',
+    away: 'Which of these faces look away?',
+    boundaries: 'Which boundaries are these?',
+    splits: 'Is the window split there?',
+    cornerSigns: 'Which signs has f for this edge at the corners of the window?',
+    meetsFirst: 'Which edge is the first that meets the window?',
+    z: 'What is the depth?',
+    spanning: 'Which edges have the point between their ends?',
+    covered: 'Which of these pixels are covered?',
     popped: 'Which window is popped next?',
     case: 'Which case is it?',
     stay: 'Which polygons stay in its list?',
@@ -127,6 +156,7 @@ export const predict: PredictTexts = {
     where: 'Where?',
   },
   rows: {
+    cornerSigns: 'one sign per corner, such as + 0 − −',
     signs: 'one sign per edge, such as + 0 −',
     list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
     order: 'numbers of edges, such as 3 1; − for none',
@@ -134,10 +164,25 @@ export const predict: PredictTexts = {
   },
   table: {
     entry: (number) => `entry ${number}`,
-    columns: { x: 'x', until: 'last row' },
-    hint: 'numbers such as 7.75 or 31/4; two decimals are enough',
+    columns: {
+      a: 'a',
+      b: 'b',
+      d: 'd',
+      column: 'column',
+      row: 'row',
+      z: 'z',
+      x: 'x',
+      until: 'last row',
+    },
+    hint: 'numbers such as 7.75 or 31/4; three decimals are enough',
   },
-  ends: { signs: 'no longer needed', list: 'no more', order: 'no more', walked: 'no more' },
+  ends: {
+    signs: 'no longer needed',
+    cornerSigns: 'no more',
+    list: 'no more',
+    order: 'no more',
+    walked: 'no more',
+  },
   crossing: 'a crossing',
   area: 'Area',
   noPolygon: { hides: 'none', wins: 'the background' },

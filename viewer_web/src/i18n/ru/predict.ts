@@ -1,5 +1,5 @@
 import type { PredictTexts } from '../../language/predict-texts.js';
-import { point, windowText } from './numbers.js';
+import { point, short, windowText } from './numbers.js';
 import { places } from './page.js';
 
 const sides = ['верхняя', 'левая', 'нижняя', 'правая'];
@@ -14,6 +14,13 @@ export const predict: PredictTexts = {
   forcedHint: 'Прогон идёт дальше, только если на вопрос дан ответ или от ответа отказались.',
   askAbout: 'О чём спрашивать',
   kinds: {
+    plane: 'плоскость многоугольника',
+    facing: 'нелицевые грани',
+    split: 'разбиение у вершины',
+    trial: 'ребро, задевающее окно',
+    depth: 'глубина в точке',
+    edgeDepth: 'глубина многоугольника ребром',
+    fill: 'пиксели контура',
     window: 'случай окна',
     pop: 'следующее окно',
     relation: 'отношение к окну',
@@ -37,6 +44,19 @@ export const predict: PredictTexts = {
     stack: 'следующий список',
   },
   intro: {
+    plane: ({ polygon, c }) =>
+      `InitializePolygon: плоскость a x + b y + c z + d = 0 многоугольника ${polygon}. Её c равно ${short(c)}.`,
+    facing: () => 'BackFaces: нелицевая грань в дальнейшем не участвует.',
+    split: ({ polygon, vertex, window }) =>
+      `VertexSplit: вершина ${vertex + 1} многоугольника ${polygon} лежит в окне ${windowText(window)}. Окно делится по ближайшим к ней границам пикселей (из двух одинаково близких — по меньшей), если хоть одна из них внутри.`,
+    trial: ({ polygon, edge, window }) =>
+      `TrialFunction: ${polygon} и окно ${windowText(window)}. По одну сторону от прямой ребра f положительна, по другую отрицательна; первым идёт ребро ${edge}.`,
+    depth: ({ polygon, point: at, plane }) =>
+      `Depth: ${polygon} в точке ${point(at)}. В уравнении плоскости a x + b y + c z + d = 0 числа a, b, c и d равны ${plane.map(short).join('; ')}.`,
+    edgeDepth: ({ polygon, point: at }) =>
+      `EdgeDepth: ${polygon} повёрнут ребром, и точка ${point(at)} лежит на его прямой.`,
+    fill: ({ row, outline }) =>
+      `FillPolygon: строка ${row} контура ${outline.map(point).join(' ')}. Пиксель покрыт, если его центр лежит между концами строки или на одном из них.`,
     window: ({ window }) => `Что станет с окном ${windowText(window)}?`,
     pop: ({ divided }) => `Окно ${windowText(divided)} разбито, его части положены в стек.`,
     relation: ({ polygon, window }) =>
@@ -80,6 +100,15 @@ export const predict: PredictTexts = {
       `Intersection: отрезок кривой ${curve} между двумя столбцами. У каждого — его высота (растёт вниз) и горизонты.`,
   },
   asks: {
+    plane: 'Чему равны остальные?',
+    away: 'Какие из этих граней нелицевые?',
+    boundaries: 'Какие это границы?',
+    splits: 'Делится ли здесь окно?',
+    cornerSigns: 'Каковы знаки f для этого ребра в углах окна?',
+    meetsFirst: 'Какое ребро первым задевает окно?',
+    z: 'Чему равна глубина?',
+    spanning: 'У каких рёбер точка лежит между концами?',
+    covered: 'Какие из этих пикселей покрыты?',
     popped: 'Какое окно будет взято из стека?',
     case: 'Какой это случай?',
     stay: 'Какие многоугольники останутся в его списке?',
@@ -127,6 +156,7 @@ export const predict: PredictTexts = {
     where: 'Где?',
   },
   rows: {
+    cornerSigns: 'по знаку на угол, например + 0 − −',
     signs: 'по знаку на ребро, например + 0 −',
     list: 'номера оставшихся вершин, x — пересечение, например 2 x x; − если пуст',
     order: 'номера рёбер, например 3 1; − если пуст',
@@ -134,10 +164,25 @@ export const predict: PredictTexts = {
   },
   table: {
     entry: (number) => `запись ${number}`,
-    columns: { x: 'x', until: 'последняя строка' },
-    hint: 'числа, например 7,75 или 31/4; довольно двух знаков после запятой',
+    columns: {
+      a: 'a',
+      b: 'b',
+      d: 'd',
+      column: 'столбец',
+      row: 'строка',
+      z: 'z',
+      x: 'x',
+      until: 'последняя строка',
+    },
+    hint: 'числа, например 7,75 или 31/4; довольно трёх знаков после запятой',
   },
-  ends: { signs: 'уже не нужен', list: 'больше нет', order: 'больше нет', walked: 'больше нет' },
+  ends: {
+    signs: 'уже не нужен',
+    cornerSigns: 'больше нет',
+    list: 'больше нет',
+    order: 'больше нет',
+    walked: 'больше нет',
+  },
   crossing: 'пересечение',
   area: 'Область',
   noPolygon: { hides: 'никакой', wins: 'фон' },
