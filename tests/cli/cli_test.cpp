@@ -102,7 +102,7 @@ TEST_CASE("A trace that was cut short, is partial or has a wrong hash: exit 1") 
         other[digit] = other[digit] == '0' ? '1' : '0';
         const auto lie = program("replay " + work.write("lie.jsonl", other) + " -o " + work.file("a.ppm"));
         CHECK(lie.status == 1);
-        CHECK(lie.text.find("another picture") != std::string::npos);
+        CHECK(lie.text.find("do not paint the picture") != std::string::npos);
     }
     SUBCASE("stopped by --max-events") {
         const auto stopped = program("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl"));
@@ -536,7 +536,7 @@ TEST_CASE("The Warnock family: traced, replayed, checked, and a polygon outside 
     const auto refused = program("render " + scene + " --method warnock-bodies -o " + work.file("none.ppm"));
     CHECK(refused.status == 2);
     CHECK(refused.text.find("warnock-bodies takes closed convex bodies") != std::string::npos);
-    CHECK(refused.text.find("has an edge that no other one shares") != std::string::npos);
+    CHECK(refused.text.find("has an edge that no other polygon shares") != std::string::npos);
 }
 
 TEST_CASE(

@@ -213,9 +213,8 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
     }
     SUBCASE("the number of a side that clips") {
         const auto change = [](event::ClipSide& e) { return e.side = 2, true; };
-        CHECK(
-            wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change)).find("by its place, and") !=
-            std::string::npos);
+        CHECK(wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change))
+                  .find("by its place this is side") != std::string::npos);
     }
 }
 

@@ -232,8 +232,8 @@ TEST_CASE("files with false counts are refused before memory is reserved") {
     const std::vector<BadInput> table{
         {"m.txt", "", "the name must end in that of a mesh: .obj, .off, .ply or .stl"},
         {"mesh", "", "the name must end in that of a mesh: .obj, .off, .ply or .stl"},
-        {"m.obj", "", "no faces"},
-        {"m.obj", "v 0 0 0\n", "no faces"},
+        {"m.obj", "", "contains no faces"},
+        {"m.obj", "v 0 0 0\n", "contains no faces"},
         {"m.obj", "v 0 0\n", "line 1: not a number"},
         {"m.obj", "v 0 0 nan\n", "line 1: a coordinate that is not finite"},
         {"m.obj", "v 0 0 1e999\n", "line 1: a number beyond the range of doubles"},
@@ -282,7 +282,7 @@ TEST_CASE("files with false counts are refused before memory is reserved") {
         {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(1000000)),
          "the header says 1000000 triangles, more than the file can hold"},
         {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(4000000000)), "more than 1048576 faces"},
-        {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(0)), "no faces"},
+        {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(0)), "contains no faces"},
         {"m.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n", "line 5: \"vertex\" is missing"},
         {"m.stl", "solid\n", "line 1: the file ends before endsolid"},
     };

@@ -60,10 +60,10 @@ export const scene: SceneTexts = {
   reasons: {
     'empty, or with signs that no formula has':
       'empty, or with a character that formulas do not have',
-    'has an edge that no other one shares':
-      'has an edge that no other one shares: this method takes closed convex bodies',
-    'goes along an edge the way another one does':
-      'goes along an edge the way another one does: this method takes closed convex bodies',
+    'has an edge that no other polygon shares':
+      'has an edge that no other polygon shares: this method takes closed convex bodies',
+    'goes along an edge in the same direction as another polygon':
+      'goes along an edge in the same direction as another polygon: this method takes closed convex bodies',
   },
   more: (n) => `and ${n} more; the first are shown`,
 };

@@ -142,13 +142,13 @@ export const scene: SceneTexts = {
     'not planar': 'не плоский',
     'not convex: the outline does not go once around the convex hull of its vertices':
       'не выпуклый: граница не обходит выпуклую оболочку своих вершин ровно один раз',
-    'has an edge that no other one shares':
+    'has an edge that no other polygon shares':
       'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
-    'goes along an edge the way another one does':
+    'goes along an edge in the same direction as another polygon':
       'идёт вдоль ребра в ту же сторону, что и другой: нужны замкнутые выпуклые тела',
     'has no area': 'у него нет площади',
     'is not planar to the last digit': 'не плоский до последнего знака',
-    'has a vertex of another one before it: its body is not convex, or it goes round the other way':
+    'has a vertex of another one in front of it: its body is not convex, or its vertices are in the opposite order':
       'перед ним лежит вершина другого: его тело не выпукло, или обход обратный',
     'no number': 'не число',
     'not known; there are x, z and pi': 'неизвестно; есть x, z и pi',
