@@ -20,10 +20,10 @@ const words = {
         plan: (hours, sessions) => `${hours} hours, ${sessions} sessions`,
         head: "| session | lessons | minutes | left for exercises |",
         or: " *or* ",
-        text: `An hour is an academic hour of ${minutesOfHour} minutes, a session has two. \`./dev derive\` writes this file from
+        text: `An hour is an academic hour of ${minutesOfHour} minutes, and a session has two hours. \`./dev derive\` writes this file from
 [\`plans.json\`](plans.json) and from the minutes that each lesson states. These are estimates, not measured in class: a minute for 100 words,
-half a minute for each step of a run that is shown, two minutes for each question, rounded to five. The rest of a session is for
-exercises; those that remain are homework. Each lesson states what must come before it, and the plans keep to that.
+half a minute for each step of a run that is shown, and two minutes for each question, rounded to five minutes. The rest of a session is for
+exercises; those that remain are homework. Each lesson states its prerequisites, and the plans respect them.
 \`vidno page --no-answers\` makes pages for students without the answers; [HOMEWORK.md](HOMEWORK.md) explains how to give each
 student a scene of their own.`,
     },

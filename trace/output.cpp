@@ -63,7 +63,7 @@ public:
             own_ = &each;
             return;
         }
-        throw Refused(name + ": cannot write: too many files are written at once");
+        throw Refused(name + ": cannot write: too many files are open for writing");
     }
     ~Unfinished() { *own_ = nullptr; }
     Unfinished(const Unfinished&) = delete;

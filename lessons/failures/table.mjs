@@ -38,10 +38,10 @@ const words = {
   en: {
     file: 'README.md',
     title: '# How these methods fail',
-    introduction: `An entry is a file. It holds the smallest known scene, the run that fails on it, a run that does not (perhaps of the same surface
-with other samples), and the place where the failure is visible. \`tests/check/failures_test.cpp\` checks each entry. The step
-counts the events of a trace of level \`signs\`: it is the first wrong decision or the first visibly wrong step. \`table.mjs\`
-writes these tables.`,
+    introduction: `Each entry is a file with the smallest known scene, the run that fails on it, a run that does not (perhaps of the same surface with
+other samples), and the place where the failure is visible. \`tests/check/failures_test.cpp\` checks each entry. The column *at step*
+counts the events of a trace of level \`signs\` up to the first wrong decision or the first visibly wrong step. \`table.mjs\` writes
+these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${decisions.en[of]}: ${answer(taken, english)}, exactly ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,

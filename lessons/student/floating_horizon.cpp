@@ -1,4 +1,4 @@
-// A frame for the floating horizon: the place of each call of `trace`. The procedures are yours to write. Without them the program draws
+// A skeleton for the floating horizon, with the place of each call of `trace`. You write the procedures. Without them the program draws
 // nothing, and `vidno grade` says so.
 //
 //     floating_horizon [windows | polygons | signs]     writes floating_horizon.jsonl

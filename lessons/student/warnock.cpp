@@ -1,4 +1,4 @@
-// A frame for Warnock's algorithm: the stack of windows, and the place of each call of `trace`. The procedures are yours to write. Without
+// A skeleton for Warnock's algorithm, with the stack of windows and the place of each call of `trace`. You write the procedures. Without
 // them the program treats every window as empty, and `vidno grade` says so.
 //
 //     warnock [windows | polygons | signs]     writes warnock.jsonl

@@ -1,5 +1,5 @@
-// A frame for Weiler and Atherton's algorithm: the stack of lists, and the place of each call of `trace`. The procedures are yours to
-// write. Without them the program shows no polygon, and `vidno grade` says so.
+// A skeleton for Weiler and Atherton's algorithm, with the stack of lists and the place of each call of `trace`. You write the
+// procedures. Without them the program shows no polygon, and `vidno grade` says so.
 //
 //     weiler_atherton [windows | polygons | signs]     writes weiler_atherton.jsonl
 #include "example.h"

@@ -1,4 +1,4 @@
-// A frame for the Z-buffer with an active edge list: the place of each call of `trace`. The procedures are yours to write. Without them the
+// A skeleton for the Z-buffer with an active edge list, with the place of each call of `trace`. You write the procedures. Without them the
 // program shows no polygon, and `vidno grade` says so.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl

@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// `before(a, b)`: whether a must be before b. It makes about one comparison an item if they are in order, at most one a pair.
+/// `before(a, b)`: whether a must be before b. It makes about one comparison per item if the items are in order, and at most one per pair.
 template <class Item>
 void insertion_sort(std::vector<Item>& items, auto before) {
     for (auto item = items.begin(); item != items.end(); ++item) {

@@ -36,7 +36,7 @@ inline glm::dvec3 rough_normal(std::vector<glm::dvec3> vertices) {
     return {normal.x, normal.y, normal.z};
 }
 
-/// The axis to look along so that the polygon shows, best first; -1 if it has no area from anywhere. Exact.
+/// The best axis along which the polygon has an area, decided exactly; -1 if it has none along any axis.
 inline int axis_that_shows(const std::vector<glm::dvec3>& vertices) {
     const glm::dvec3 normal = rough_normal(vertices);
     std::array<int, 3> axes{2, 0, 1};

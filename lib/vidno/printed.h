@@ -35,7 +35,7 @@ struct Printed : Corrected {
     /// X-W1: a "not" is lost: surrounding polygons leave, others never.
     static bool discards(bool surrounding, bool outside) { return surrounding && outside; }
 
-    /// X-W3: a polygon nearest at all corners that does not surround the window leaves the earlier surrounding one valid.
+    /// X-W3: a polygon that is nearest at all corners does not reset hasSurround, even if it does not surround the window.
     static bool uncovers(int k) { return 0 < k && k < 4; }
 
     /// X-W7: the product of two small numbers underflows to 0.

@@ -174,7 +174,7 @@ TEST_CASE("Chart of a surface: samples alone have no function, and a function is
     };
     CHECK(without_places(
               refusal(R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":9},"curves":[]})")) ==
-          "s.json: no function, which could be sampled in other ways");
+          "s.json: has no function that could be sampled in other ways");
     // Between the samples 0, 4, 8, ...; column 5 is where x is 5.
     std::string text = peak;
     const std::string level = "z == 1 ? max(0, 6 - 3 * abs(x - 10)) : 0";

@@ -102,7 +102,7 @@ TEST_CASE("A trace that was cut short, is partial or has a wrong hash: exit 1") 
         other[digit] = other[digit] == '0' ? '1' : '0';
         const auto lie = program("replay " + work.write("lie.jsonl", other) + " -o " + work.file("a.ppm"));
         CHECK(lie.status == 1);
-        CHECK(lie.text.find("another picture") != std::string::npos);
+        CHECK(lie.text.find("do not paint the picture") != std::string::npos);
     }
     SUBCASE("stopped by --max-events") {
         const auto stopped = program("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl"));
@@ -164,7 +164,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
          ":3: step 2: not the window on top"},
         {header + R"({"e":"discard","at":"PW3","polygon":"<b>"})"
                   "\n",
-         ":2: /polygon: no polygon of the scene"},
+         ":2: /polygon: not a polygon of the scene"},
         {header + R"({"e":"discard","at":"PW3","polygon":"0"})"
                   "\n",
          ":2: step 1: no current window"},
@@ -182,7 +182,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
          ":2: /z: not a number of this kernel"},
         {header + R"({"e":"pop","at":"PW1","window":[0,0,2,2]})"
                   "\n",
-         ":2: /at: no line of this event"},
+         ":2: /at: not a line of this event"},
         {header + R"({"e":"clip_side","at":"PL2","side":5,"from":[0,0],"to":[1,0]})"
                   "\n",
          ":2: /side: not from 1 to 4"},
@@ -516,7 +516,7 @@ TEST_CASE("shrink: the result still fails, and a scene that does not fail is ref
     REQUIRE(program("trace " + smallest + " -o " + work.file("run.jsonl")).status == 0);
     CHECK(work.read("run.jsonl").find("\"at\":\"PL5\"") != std::string::npos);
     CHECK(program("shrink " + clipped + " --kernel filtered -o " + work.file("none.json")).text ==
-          "vidno: " + clipped + ": nothing fails: no decision is wrong, and no pixel\n");
+          "vidno: " + clipped + ": nothing fails: no decision and no pixel is wrong\n");
     CHECK_FALSE(work.has("none.json"));
 }
 
@@ -536,7 +536,7 @@ TEST_CASE("The Warnock family: traced, replayed, checked, and a polygon outside 
     const auto refused = program("render " + scene + " --method warnock-bodies -o " + work.file("none.ppm"));
     CHECK(refused.status == 2);
     CHECK(refused.text.find("warnock-bodies takes closed convex bodies") != std::string::npos);
-    CHECK(refused.text.find("has an edge that no other one shares") != std::string::npos);
+    CHECK(refused.text.find("has an edge that no other polygon shares") != std::string::npos);
 }
 
 TEST_CASE(
@@ -889,7 +889,7 @@ TEST_CASE("stability: merged shards and a continued run give the bytes of a sing
 
     const auto other = program(campaign + "--seed 2 -o " + cut);
     CHECK(other.status == 2);
-    CHECK(other.text.find("of another campaign") != std::string::npos);
+    CHECK(other.text.find("belongs to another campaign") != std::string::npos);
     CHECK(other.text.find('\n') == other.text.size() - 1);
     CHECK(work.read("cut.jsonl") == expected);
 }

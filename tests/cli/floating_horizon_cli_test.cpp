@@ -125,7 +125,7 @@ TEST_CASE("surfaces: refusals and their reasons") {
           "vidno: " + surface + ": a surface, which only --method floating-horizon draws\n");
     CHECK(refusal("trace " + polygons + " --method floating-horizon" + output) ==
           "vidno: --method floating-horizon: " + polygons + " is not a surface, vidno-surface/1\n");
-    CHECK(refusal("trace " + surface + " --kernel grid:4" + output) == "vidno: --kernel grid:4: for polygons alone\n");
+    CHECK(refusal("trace " + surface + " --kernel grid:4" + output) == "vidno: --kernel grid:4: only for polygons\n");
     CHECK(refusal("trace " + surface + " --kernel filtered --edition printed" + output) ==
           "vidno: --edition printed: not under --kernel filtered, whose decisions are always right\n");
     CHECK(refusal("trace " + surface + " --edition one-list" + output) ==
@@ -149,15 +149,15 @@ TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes no
         CHECK(status == 2);
         CHECK(text == "vidno: " + sentence + "\n");
     };
-    const std::string for_polygons = surface + ": a surface, and this command takes scenes of polygons, vidno-scene/1";
+    const std::string for_polygons = surface + ": a surface, but this command takes scenes of polygons, vidno-scene/1";
     refused("shrink " + surface + " -o " + work.file("out.json"), for_polygons);
     refused("need " + surface, for_polygons);
     refused("choose " + surface, for_polygons);
     refused("homework " + surface + " -o " + work.file("out"), for_polygons);
     refused("worksheet " + surface + " -o " + work.file("out.pdf"), for_polygons);
-    refused("map " + surface, surface + ": a surface, and no decision to be mapped, vidno-question/1");
+    refused("map " + surface, surface + ": a surface, not a decision to map, vidno-question/1");
     refused("figure " + surface + " -o " + work.file("out.svg"),
-            surface + ": a surface; vidno render draws it, and a figure its trace");
+            surface + ": a surface; vidno render draws surfaces, and vidno figure draws their traces");
     CHECK_MESSAGE(work.files() == 1, "the surface");
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("surfaces: a chart varies the sampling of a function, and the output's
         return text;
     };
     CHECK(refusal(sampled, "c.json") ==
-          "vidno: " + sampled + ": line 1, column 1: no function, which could be sampled in other ways\n");
+          "vidno: " + sampled + ": line 1, column 1: has no function that could be sampled in other ways\n");
     CHECK(refusal(function + " " + polygons, "c.json") ==
           "vidno: " + polygons + ": a chart shows scenes or surfaces, not both\n");
     CHECK(refusal(function + " --error area", "c.svg") ==

@@ -255,7 +255,7 @@ TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears"
     CHECK(reason(wall + " -o " + work.file("a.svg")).find("not .pdf") != std::string::npos);
     CHECK(reason(wall + to + " --key " + work.file("a.pdf")).find("--key") != std::string::npos);
     CHECK(reason(wall + to + " --rows 9..12").find("rows in all: 5") != std::string::npos);
-    CHECK(reason(wall + to + " --rows 5..2").find("no row lies there") != std::string::npos);
+    CHECK(reason(wall + to + " --rows 5..2").find("this range contains no row") != std::string::npos);
     CHECK(reason(wall + to + " --rows few").find("not N or A..B") != std::string::npos);
     CHECK(work.files() == 3);
 }

@@ -202,11 +202,13 @@ TEST_CASE("Curves: a line that no run reports is refused, with its number") {
         }
         return std::string("taken");
     };
-    CHECK(refused("\"double\"", "\"depth:8\"") == "trace:1: /kernel: no kernel and edition of floating-horizon");
-    CHECK(refused("\"corrected\"", "\"one-list\"") == "trace:1: /kernel: no kernel and edition of floating-horizon");
+    CHECK(refused("\"double\"", "\"depth:8\"") ==
+          "trace:1: /kernel: floating-horizon does not run under this kernel and edition");
+    CHECK(refused("\"corrected\"", "\"one-list\"") ==
+          "trace:1: /kernel: floating-horizon does not run under this kernel and edition");
     CHECK(refused("[8,12]", "[-2,12]") == "trace:1: /scene/curves/0/1/0: not right of the sample before");
     CHECK(refused("\"curves\"", "\"function\":\"x\",\"curves\"") ==
-          "trace:1: /scene/function: a trace has the samples");
+          "trace:1: /scene/function: a trace has samples instead");
     CHECK(refused("\"flag\":2", "\"flag\":3") == "trace:6: /flag: not -1, 0, 1 or 2");
     CHECK(refused("\"lines\":", "\"picture\":").ends_with("/end: unknown key picture"));
 }

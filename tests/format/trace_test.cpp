@@ -315,10 +315,9 @@ TEST_CASE("A state refuses an event that cannot follow") {
     event::Pop pop;
     pop.window = whole;
 
-    CHECK(impossible(Method::warnock, {push(Line::W3, whole, std::nullopt)}) ==
-          "the first window has a list, and no other");
+    CHECK(impossible(Method::warnock, {push(Line::W3, whole, std::nullopt)}) == "only the first window has a list");
     CHECK(impossible(Method::warnock, {push(Line::W3, whole, none), pop, push(Line::W13, {0, 0, 8, 8}, none)}) ==
-          "the first window has a list, and no other");
+          "only the first window has a list");
     CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, {0, 0, 17, 16}, none)}) == "a window outside the area");
     CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, {0, .5, 16, 8}, none)}) == "a window outside the area");
     CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, whole, none)}) == "possible");
@@ -334,7 +333,7 @@ TEST_CASE("A state refuses an event that cannot follow") {
     window.back() = pop;
     window.insert(window.end(), found.begin() + 1, found.end());
     window.push_back(event::Nearer{});
-    CHECK(impossible(Method::warnock, window) == "not four depths before");
+    CHECK(impossible(Method::warnock, window) == "not preceded by four depths");
 
     event::AelSort twice;
     twice.edges = {1, 1};
@@ -343,8 +342,8 @@ TEST_CASE("A state refuses an event that cannot follow") {
     two.edge = 2;
     event::Leave leave;
     leave.edges = {1};
-    CHECK(impossible(Method::zbuffer, {one, two, one}) == "an edge that is in AEL");
-    CHECK(impossible(Method::zbuffer, {one, two, twice}) == "an order of other entries than AEL has");
+    CHECK(impossible(Method::zbuffer, {one, two, one}) == "an edge that is already in AEL");
+    CHECK(impossible(Method::zbuffer, {one, two, twice}) == "an order of entries that are not those of AEL");
     CHECK(impossible(Method::zbuffer, {leave}) == "an edge that is not in S");
     CHECK(impossible(Method::zbuffer, {event::Span{}}) == "a span of no polygon");
     CHECK(impossible(Method::weiler_atherton, {event::Behind{}}) == "no current list");

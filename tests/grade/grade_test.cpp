@@ -111,16 +111,17 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
     CHECK_FALSE(
         truth.no_part(0, window, {part[2], part[3], part[0], {1, 1, .5}, part[1]}, Words()));  // one more on an edge
     CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}, Words()) ==
-          "its area is 4.5, that of the part in the window 9");
+          "its area is 4.5, and that of the part in the window is 9");
     CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}, Words()) ==
-          "its area is 0, that of the part in the window 9");
+          "its area is 0, and that of the part in the window is 9");
     CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}, Words()) ==
           "(3, 5, 0.5) lies outside the window");
     CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}, Words()) ==
           "(4, 1, 0.5) lies outside the polygon");
     CHECK(*truth.no_part(0, window, {part[0], part[1], part[2], {0, 4, .25}}, Words()) ==
           "(0, 4, 0.25) is not on the polygon's plane: its depth there is 0.5");
-    CHECK(*truth.no_part(0, window, {}, Words()) == "nothing is left of it, and in the window there is an area of 9");
+    CHECK(*truth.no_part(0, window, {}, Words()) ==
+          "nothing is left of it, but its part in the window has an area of 9");
 }
 
 TEST_CASE("The truth of a scene: an outline may show what is next to it, but a common edge must have no hole") {
@@ -212,9 +213,8 @@ TEST_CASE("Judging: a changed claim is the one that the judge finds") {
     }
     SUBCASE("the number of a side that clips") {
         const auto change = [](event::ClipSide& e) { return e.side = 2, true; };
-        CHECK(
-            wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change)).find("by its place, and") !=
-            std::string::npos);
+        CHECK(wrong_of(with_changed<event::ClipSide>(neighbours(), Method::warnock, change))
+                  .find("by its place this is side") != std::string::npos);
     }
 }
 
@@ -504,7 +504,7 @@ TEST_CASE("Judging curves: a changed claim is the one that the judge finds") {
     SUBCASE("where the upper horizon starts") {
         const auto change = [](event::Horizons& e) { return e.upper = 5, true; };
         CHECK(wrong.operator()<event::Horizons>(change) ==
-              "FH1: the upper horizon starts at y = 5: a curve goes beyond that, and nothing hides it there");
+              "FH1: the upper horizon starts at y = 5: a curve goes beyond it, and nothing hides the curve there");
     }
     SUBCASE("the height of a curve") {
         const auto change = [](event::Height& e) { return e.y = 5, true; };

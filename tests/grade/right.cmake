@@ -42,6 +42,6 @@ must_differ(warnock.py "recursion instead of the stack")
 
 # Claims that a trace leaves out are not judged, but a trace must make the claims of the level asked for.
 grade_program(./recursion --detail polygons)
-must_say(recursion 1 "Not told, though level polygons is asked for: depths, surround tests.")
+must_say(recursion 1 "Not reported, though level polygons requires it: depths, surround tests.")
 grade_program(./warnock --detail signs)
 must_say(warnock 0 "Right on all ")

@@ -116,12 +116,12 @@ TEST_CASE("Markdown that a page cannot show is a problem with a line") {
     CHECK(problem_of("Words.\n\n<b>bold</b>") == "story.en.md:7: HTML is not shown: <b>");
     CHECK(problem_of("<div>") == "story.en.md:5: HTML is not shown");
     CHECK(problem_of("![x](x.png)") ==
-          "story.en.md:5: a page has no such part of a line; a figure is a fence of its own");
+          "story.en.md:5: a page cannot show this within a line; a figure has its own fence");
     CHECK(problem_of("#### Deep") == "story.en.md:5: a heading within a story is of level 2 or 3: ## or ###");
     CHECK(problem_of("[x](http://example.org)") ==
           "story.en.md:5: http://example.org: neither #PIN, ../LESSON/ nor https://");
     CHECK(problem_of("```figure Four\nvidno figure lessons/01\n```") ==
-          "story.en.md:5: a figure holds one line: vidno figure ... -o NAME.svg");
+          "story.en.md:5: a figure contains one line: vidno figure ... -o NAME.svg");
 
     Problems problems;
     read_story("Words.\n", Language::english, "story.en.md", problems);
@@ -130,9 +130,9 @@ TEST_CASE("Markdown that a page cannot show is a problem with a line") {
     CHECK(found ==
           std::vector<std::string>{"story.en.md:1: a story begins with its title: # Title",
                                    "story.en.md:1: the learning goals are missing: a list below the title",
-                                   "story.en.md:1: two questions to think about, at least, are missing",
+                                   "story.en.md:1: at least two questions to think about are required",
                                    "story.en.md:1: the summary is missing: ## Summary",
-                                   "story.en.md:1: two exercises with answers, at least, are missing: ## Exercises"});
+                                   "story.en.md:1: at least two exercises with answers are required: ## Exercises"});
 }
 
 TEST_CASE("Languages may order the parts of a sentence as they like, not the blocks") {
@@ -309,9 +309,9 @@ TEST_CASE("Errors in a lesson are reported with file and line") {
              {"story.ru.md", "[One polygon](#one)", "One", "story.ru.md:7: question, where "},
              {"lesson.json", R"("single")", R"("split")", R"(lesson.json:4: pin one: step )"},
              {"lesson.json", R"("times": 1)", R"("times": 2)", "lesson.json:5: pin all: there are 1, not 2"},
-             {"lesson.json", R"([{"e": "decide"}])", "[]", "lesson.json:4: /pins/one/find: holds no event"},
+             {"lesson.json", R"([{"e": "decide"}])", "[]", "lesson.json:4: /pins/one/find: contains no event"},
              {"lesson.json", R"("says")", R"("claims")", "lesson.json:4: /pins/one/claims: unknown key"},
-             {"lesson.json", R"("warnock")", R"("painter")", "lesson.json:2: /runs/0/method: painter: there is none"},
+             {"lesson.json", R"("warnock")", R"("painter")", "lesson.json:2: /runs/0/method: painter: does not exist"},
              {"lesson.json", R"("warnock"})", R"("warnock", "kernel": "half"})",
               "lesson.json:2: /runs/0/kernel: half is not one of "},
              {"lesson.json", R"("pins")", R"("shows": ["queue"], "pins")",

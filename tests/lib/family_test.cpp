@@ -539,15 +539,15 @@ TEST_CASE("A scene that does not consist of closed convex bodies is refused, wit
     const auto reason = [](const Faces& faces) { return not_closed_convex_bodies(scene_with(faces)).value_or(""); };
     Faces open = tilted_box;
     open.pop_back();
-    CHECK(reason(open).find("has an edge that no other one shares") != std::string::npos);
+    CHECK(reason(open).find("has an edge that no other polygon shares") != std::string::npos);
 
     Faces turned = tilted_box;
     std::reverse(turned[2].begin(), turned[2].end());
-    CHECK(reason(turned).find("goes along an edge the way another one does") != std::string::npos);
+    CHECK(reason(turned).find("goes along an edge in the same direction as another polygon") != std::string::npos);
 
     Faces inside_out = tilted_box;
     for (auto& face : inside_out) std::reverse(face.begin(), face.end());
-    CHECK(reason(inside_out).find("before it") != std::string::npos);
+    CHECK(reason(inside_out).find("in front of it") != std::string::npos);
 
     Faces bent = tilted_box;
     for (auto& face : bent) {
@@ -566,7 +566,7 @@ TEST_CASE("A scene that does not consist of closed convex bodies is refused, wit
             if (!std::all_of(face.begin(), face.end(), is_common)) notched.push_back(face);
         }
     }
-    CHECK(reason(notched).find("before it: its body is not convex") != std::string::npos);
+    CHECK(reason(notched).find("in front of it: its body is not convex") != std::string::npos);
 
     CHECK(reason({{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}}).find("has no area") != std::string::npos);
 }

@@ -118,8 +118,8 @@ TEST_CASE("text that is not JSON is refused with its line and column") {
         {"{} {}", "line 1, column 4: not valid JSON"},
         {"{\"name\": \"\xff\"}", "line 1, column 11: not valid JSON"},
         {std::string(100000, '['), "/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0: nested too deeply"},
-        {R"({"name": "a", "name": "b"})", "/name: the key is there twice"},
-        {scene_with(R"({"color": "#000000", "color": "#000000"})"), "/polygons/0/color: the key is there twice"},
+        {R"({"name": "a", "name": "b"})", "/name: the key occurs twice"},
+        {scene_with(R"({"color": "#000000", "color": "#000000"})"), "/polygons/0/color: the key occurs twice"},
         {scene_with(polygon_with("[[0, 0, 0], [1, 1e999, 0]]")),
          "/polygons/0/vertices/1/1: the number is beyond the range of doubles"},
     });
@@ -203,10 +203,10 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
          "/polygons/1/vertices: not planar"},
         {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")),
          "/polygons/0/vertices: not convex: the outline does not go once around the convex hull of its vertices"},
-        {scene_with(named + ", " + named), "/polygons/1/id: the id is there twice"},
+        {scene_with(named + ", " + named), "/polygons/1/id: the id occurs twice"},
         {scene_with(R"({"id": "1", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}, )" +
                     std::string(triangle)),
-         "/polygons/1: the id is there twice: without one it is the position"},
+         "/polygons/1: the id occurs twice; a polygon without an id gets its position"},
         {scene_with_id(""), "/polygons/0/id: empty"},
         {scene_with_id(std::string(201, 'x')), "/polygons/0/id: longer than 200 bytes"},
     });
@@ -268,9 +268,9 @@ TEST_CASE("a default window is at least a pixel each way, and there is none with
     CHECK(read_scene(R"({"polygons": [{"vertices": [[2, 3, 0], [2, 3, 0], [2, 3, 0]]}]})", "f.json").scene->area ==
           Area{2, 3, 1, 1});
     check_refused({
-        {R"({"polygons": []})", "\"window\" is missing, and there are no vertices to reach over"},
+        {R"({"polygons": []})", "\"window\" is missing, and there are no vertices to derive it from"},
         {R"({"polygons": [{"vertices": [[0, 0, 0], [16385, 0, 0], [0, 9, 0]]}]})",
-         "\"window\" is missing, and the vertices reach too far for one"},
+         "\"window\" is missing, and the vertices extend too far for one"},
         {R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "perspective", "fov": 45, "near": 1,
              "far": 9}, "polygons": [{"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}]})",
          "\"window\" is missing, which a camera needs"},
@@ -301,7 +301,7 @@ TEST_CASE("a fault points at a value, at its key, or at the second of two equal 
     CHECK(message_for(R"({"polygons": [], "a\u0062": {"b": 1}})").find("line 1, column 18: /ab: unknown key") !=
           std::string::npos);
     CHECK(message_for("{\"name\": \"{[\\\"\", \"polygons\": [],\n \"name\": \"b\"}") ==
-          "f.json: line 2, column 2: /name: the key is there twice");
+          "f.json: line 2, column 2: /name: the key occurs twice");
     CHECK(message_for(R"({"polygons": [[[]], {"vertices": [[0, 1e999, 0]]}]})") ==
           "f.json: line 1, column 39: /polygons/1/vertices/0/1: the number is beyond the range of doubles");
 }

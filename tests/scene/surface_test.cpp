@@ -156,11 +156,11 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     CHECK(refused("x + z", "x + y") == "s.json: /function: Unexpected token \"y\" found at position 4.");
     CHECK(refused("x + z", "x #\\n") == "s.json: /function: Unexpected token \"#? \" found at position 2.");
     CHECK(refused("x + z", "1 / (x - 1)") == "s.json: /function: not finite at x = 1, z = 2");
-    CHECK(refused("[0,4]", "[4,4]") == "s.json: /x: twice the same number");
+    CHECK(refused("[0,4]", "[4,4]") == "s.json: /x: the two numbers are equal");
     CHECK(refused("\"curves\":3", "\"curves\":1") == "s.json: /curves: not from 2 to 4096");
     CHECK(refused("\"samples\":5", "\"samples\":10") == "s.json: /samples: not from 2 to 9");
     CHECK(refused("[1,12]", "[0.5,12]") == "s.json: /view/origin/0: not a whole number");
-    CHECK(refused("0.5}", "0}") == "s.json: /view/up: not above 0");
+    CHECK(refused("0.5}", "0}") == "s.json: /view/up: not greater than 0");
     CHECK(refused("[1,12]", "[8,12]") ==
           "s.json: /view: curve 2 is over the columns 12 to 20, and the window has 0 to 19");
 
@@ -187,7 +187,7 @@ TEST_CASE("Surface: format, name and window have defaults") {
     CHECK(of_function.curves->curves == read_surface(small, "s.json").curves->curves);
     CHECK(read_function(changed(small, window, ""), "s.json").area == Area{1, 10, 13, 4});
     CHECK(without_places(refusal_of(R"({"curves": []})")) ==
-          "s.json: \"window\" is missing, and there are no samples to reach over");
+          "s.json: \"window\" is missing, and there are no samples to derive it from");
 }
 
 TEST_CASE("Surface: one pass reports every fault with line, column and path") {
@@ -201,7 +201,7 @@ TEST_CASE("Surface: one pass reports every fault with line, column and path") {
           "s.json: line 4, column 12: /curves/1/1: not an array\n"
           "s.json: line 4, column 19: /curves/1/2/1: not a hexadecimal number such as \"0x1.8p-3\"");
     CHECK(without_places(refusal_of(changed(changed(small, "[0,4]", "4"), "0.5}", "0}"))) ==
-          "s.json: /x: not an array\ns.json: /view/up: not above 0");
+          "s.json: /x: not an array\ns.json: /view/up: not greater than 0");
 }
 
 TEST_CASE("Surface: the text's figure has a pit in its middle, and a wave around it") {

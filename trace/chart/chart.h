@@ -59,8 +59,8 @@ struct SceneChart {
     bool degenerate() const { return unsteady > 0; }
 };
 
-/// Each method of the course under each kernel in each edition, and each knob at each setting. The other methods that take the scene,
-/// under each kernel that runs them, with one `bits` and one `grid`.
+/// Runs each method of the course under each kernel in each edition, and with each knob at each setting. Runs the other
+/// methods that take the scene under each kernel that runs them, with one `bits` and one `grid`.
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;

@@ -68,7 +68,7 @@ struct SurfaceChart {
     std::string surface{};  // its file, as it samples it
 };
 
-/// The sampling of the file and both knobs at each setting, under each kernel that runs curves, in each edition that it runs.
+/// Runs the sampling of the file, and both knobs at each setting, under each kernel that runs curves, in each edition that this kernel runs.
 std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
 
 /// The total over all curves; a chart takes no more.

@@ -15,7 +15,7 @@ struct CheckReport : DecisionReport {
     bool found_something() const { return wrong_pixels > 0 || any_wrong(); }
 };
 
-/// What the scene should show: by the picture rule, or by the method's variation of it.
+/// What the scene should show, by the picture rule or by the method's variation of it.
 Picture right_picture(const AdmittedScene& scene, Method method = Method::zbuffer);
 
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under `exact`, until

@@ -96,7 +96,7 @@ inline constexpr auto deviations = [] {
          .witness = "x-w2"},
         {.defect = "x-w3",
          .title = untranslated("X-W3"),
-         .says = {"a polygon that is nearest at all four corners leaves the earlier surrounding one valid",
+         .says = {"a polygon that is nearest at all four corners does not reset hasSurround",
                   "многоугольник, ближайший во всех четырёх углах, не отменяет охватывающий, найденный до него"},
          .lines = at<PW7>,
          .methods = of<warnock>,
@@ -180,21 +180,22 @@ inline constexpr auto deviations = [] {
          .witness = "x-z6-alone"},
         {.defect = "x-z7",
          .title = untranslated("X-Z7"),
-         .says = {"the last of equally near polygons shows, and Z starts at −1",
+         .says = {"the last of equally near polygons is shown, and Z starts at −1",
                   "из одинаково близких виден последний, а Z начинается с −1"},
          .lines = at<Z1, L6>,
          .methods = of<zbuffer>,
          .witness = "x-z7"},
         {.defect = "x-h1",
          .title = untranslated("X-H1"),
-         .says = {"a minus is lost: what lies below is not drawn, and an edge at x = 1 is taken for none",
+         .says = {"a minus sign is lost: what lies below is not drawn, and an edge at x = 1 counts as absent",
                   "потерян минус: лежащее снизу не рисуется, а ребро при x = 1 считается отсутствующим"},
          .lines = at<FH1, FH6, SE1>,
          .methods = of_curves,
          .witness = "x-h1"},
         {.defect = "x-h2",
          .title = untranslated("X-H2"),
-         .says = {"what emerges below is cut by the upper horizon", "выходящее снизу обрезается верхним горизонтом"},
+         .says = {"a curve that emerges below is cut by the upper horizon",
+                  "выходящее снизу обрезается верхним горизонтом"},
          .lines = at<FH8>,
          .methods = of_curves,
          .witness = "x-h2"},
@@ -234,7 +235,8 @@ inline constexpr auto deviations = [] {
                      "иначе: положить четверти U, кроме лежащих вне области, каждую с самим APL"}}},
          .methods = of<warnock>,
          .witness = "mistake-one-list",
-         .advice = {"all parts of a window share one APL: what leaves it in one part is gone in the others. Give "
+         .advice = {"all parts of a window share one APL: a polygon that leaves it in one part is missing in the "
+                    "others. Give "
                     "each part a copy",
                     "у всех частей окна один APL: что ушло из него в одной части, пропадает и в остальных. Дайте "
                     "каждой части копию"}},
@@ -246,7 +248,7 @@ inline constexpr auto deviations = [] {
                      "заполнить область цветом фона; в Z нули, как в новом массиве"}}},
          .methods = of<zbuffer>,
          .witness = "mistake-depths-not-cleared",
-         .advice = {"the depths are not cleared: they start at 0, and what lies behind that never shows. Start below "
+         .advice = {"the depths are not cleared: they start at 0, and what lies behind 0 is never shown. Start below "
                     "all depths",
                     "глубины не очищены: они начинаются с 0, и лежащее за этой глубиной не видно никогда. Начните с "
                     "глубины, меньшей всех"}},
@@ -291,8 +293,8 @@ inline constexpr auto deviations = [] {
                      "x := первый центр пикселя > x₁ в области; последний < x₂; z := z₁ + (x − x₁)Δz"}}},
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-boundary-outside",
-         .advice = {"points on an outline count as outside of both polygons that share it: pixels there belong to "
-                    "nobody. Let a product of 0 count as inside, or give such points to one of the two",
+         .advice = {"points on an outline count as outside both polygons that share it: pixels there belong to "
+                    "neither. Let a product of 0 count as inside, or give such points to one of the two",
                     "точки общей границы считаются внешними для обоих многоугольников, и пиксели там ничьи. Пусть "
                     "нулевое произведение значит «внутри», или отдайте такие точки одному из двух"}},
         {.mistake = "integer-division",
@@ -305,7 +307,7 @@ inline constexpr auto deviations = [] {
                      "иначе: положить части U, стороны которого делятся пополам нацело, каждую с копией APL"}}},
          .methods = of<warnock>,
          .witness = "mistake-integer-division",
-         .advice = {"a window is halved in whole numbers: if its side is odd, one column or row is lost. Begin with "
+         .advice = {"a window is halved in whole numbers: if its side is odd, a column or row is lost. Begin with "
                     "a square of 2^m pixels a side that covers the area",
                     "окно делится пополам нацело: при нечётной стороне теряется столбец или строка. Начните с "
                     "квадрата со стороной 2^m пикселей, накрывающего область"}},
@@ -316,7 +318,7 @@ inline constexpr auto deviations = [] {
          .reads = {{{"if k > 0: nothing; hasSurround stays", "если k > 0: ничего; hasSurround остаётся"}}},
          .methods = of<warnock>,
          .witness = "mistake-surround-kept",
-         .advice = {"hasSurround is never reset: a polygon that lies before the surrounding one in a part of the "
+         .advice = {"hasSurround is never reset: a polygon that lies in front of the surrounding one in a part of the "
                     "window is overlooked. Set it to false wherever a nearer polygon is found",
                     "hasSurround не сбрасывается: многоугольник, который в части окна ближе охватывающего, "
                     "пропускается. Сбрасывайте его всякий раз, когда найден более близкий многоугольник"}},
@@ -338,7 +340,7 @@ inline constexpr auto deviations = [] {
          .witness = "mistake-octants-not-split"},
         {.mistake = "line-for-edge",
          .title = {"line taken for edge", "прямая вместо ребра"},
-         .says = {"an edge is taken for the whole line on which it lies",
+         .says = {"an edge counts as the whole line on which it lies",
                   "вместо ребра берётся вся прямая, на которой оно лежит"},
          .lines = at<TF3>,
          .reads = {{{"if f has both signs there: return true", "если f там обоих знаков: вернуть true"}}},

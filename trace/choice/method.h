@@ -40,9 +40,9 @@ std::optional<std::string> refuses_bodies(const Scene& scene);
 /// Indexed by Method.
 inline constexpr std::array method_choices{
     MethodChoice{
-        .does = "look at a window; paint it if it is plain, else split it",
+        .does = "examine a window; paint it if it is simple, otherwise split it",
         .title = {"Warnock", "Алгоритм Варнока"},
-        .says = {"Convex planar polygons. Looks at a window; paints it if it is plain, else splits it.",
+        .says = {"Convex planar polygons. Examines a window; paints it if it is simple, otherwise splits it.",
                  "Выпуклые плоские многоугольники. Окно рассматривается; простое закрашивается, иначе делится."},
         .procedure = Procedure::warnock},
     MethodChoice{
@@ -80,8 +80,9 @@ inline constexpr std::array method_choices{
             {"Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest "
              "depth.",
              "Выпуклые плоские многоугольники. Три списка; повёрнутый ребром виден как отрезок, с ближайшей глубиной."},
-        .rule = {"convex planar polygons, edge-on ones any",
-                 "the picture rule, but that an edge-on polygon is the closed segment it is projected to, at its "
+        .rule = {"convex planar polygons, and any edge-on ones",
+                 "the picture rule, except that an edge-on polygon shows as the closed segment to which it projects, "
+                 "at its "
                  "nearest depth"}},
     MethodChoice{
         .does = "back faces removed first, the rest as by warnock",
@@ -93,14 +94,14 @@ inline constexpr std::array method_choices{
              "Замкнутые выпуклые тела, обход граней снаружи против часовой стрелки. Отвёрнутые грани не участвуют; из "
              "одинаково близких видна обращённая к наблюдателю."},
         .procedure = Procedure::warnock,
-        .rule = {"closed convex bodies, each polygon counter-clockwise as seen from outside",
-                 "the picture rule, but that of equally near faces one that looks towards the viewer comes before one "
-                 "that looks away"},
+        .rule =
+            {"closed convex bodies, each polygon counter-clockwise as seen from outside",
+             "the picture rule, except that of equally near faces one that looks towards the viewer comes before one "
+             "that looks away"},
         .takes_closed_bodies = true},
     MethodChoice{
-        .does =
-            "clip all polygons by the outline of the nearest, look at what is inside and what is outside by itself; "
-            "its visible regions are polygons",
+        .does = "clip all polygons by the outline of the nearest, and process the parts inside and outside separately; "
+                "the visible regions are polygons",
         .title = {"Weiler–Atherton", "Вейлер — Азертон"},
         .says = {"Convex planar polygons. Cuts them by one another’s outlines until what is visible is known as "
                  "regions; then "
@@ -115,7 +116,7 @@ static_assert(method_choices.size() == method_names.size());
 /// The method that takes curves; those that take polygons are the values of Method.
 inline constexpr std::string_view floating_horizon_method = "floating-horizon";
 inline constexpr MethodChoice floating_horizon_choice{
-    .does = "draw what is beyond both horizons; raise them to it",
+    .does = "draw what lies beyond the horizons, and move the horizons there",
     .title = {"Floating horizon", "Плавающий горизонт"},
     .says = {"Curves with samples on whole columns, the nearest first. Draws what is beyond both horizons, and raises "
              "them to "

@@ -42,7 +42,8 @@ std::string written(const auto& charts, const ChartOptions& options) {
 
 void expect_size(const Scene& scene, const std::string& file) {
     if (std::max(scene.area.width, scene.area.height) <= largest_charted_side) return;
-    throw Refused(file + ": a chart takes areas of at most " + std::to_string(largest_charted_side) + " pixels a side");
+    throw Refused(file + ": a chart needs an area of at most " + std::to_string(largest_charted_side) +
+                  " pixels a side");
 }
 void expect_size(const Function& function, const std::string& file) {
     const FunctionSurface& surface = function.surface;
@@ -88,7 +89,7 @@ int chart(const ChartOptions& options) {
 
 void add_chart(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("chart", "Chart accuracy against cost for every method, kernel, edition and setting");
+        *program.add_subcommand("chart", "Plot error against cost for every method, kernel, edition and setting");
     const auto options = std::make_shared<ChartOptions>();
     command
         .add_option("SCENE", options->scenes,
@@ -98,10 +99,12 @@ void add_chart(CLI::App& program, int& status) {
     command.add_option("-o", options->output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")
         ->required();
     command.footer(
-        "Settings: bits of arithmetic, of the Z-buffer and of the grid, smallest window; for surfaces samples per\n"
-        "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
-        "exactly.\n"
-        "The page offers every cost and error, says which run is needed and why, and links each run to its replay.\n"
+        "The settings are the bits of arithmetic, of the Z-buffer and of the grid, and the smallest window; for "
+        "surfaces\n"
+        "the samples per curve and the tolerance. Times are medians of five interleaved runs, relative to the "
+        "fastest;\n"
+        "counts of operations are always the same.\n"
+        "The page offers every cost and error, recommends a run and says why, and links each run to its replay.\n"
         "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
         "          vidno chart lessons/surfaces/*.json -o surfaces.html");
     command.callback([options, &status] { status = chart(*options); });

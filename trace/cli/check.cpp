@@ -174,27 +174,26 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("check", "Run a scene and compare every decision with the truth");
+    auto& command = *program.add_subcommand("check", "Run a scene and compare every decision with exact arithmetic");
     const auto options = std::make_shared<CheckOptions>();
     command
         .add_option("SCENE|TRACE", options->input,
-                    "A scene file, a failure, or a trace (.jsonl, .jsonl.gz) to be run again")
+                    "A scene file, a failure, or a trace (.jsonl, .jsonl.gz) to run again")
         ->required();
     command
         .add_option("--method", options->method,
-                    "Which algorithm [warnock; for a surface floating-horizon; or the trace's]")
+                    "The algorithm [warnock; for a surface floating-horizon; or the trace's]")
         ->check(CLI::IsMember(all_methods()));
-    command.add_option("--kernel", options->kernel, "Which arithmetic decides [double, or the trace's]")
-        ->check(a_kernel());
-    command.add_option("--edition", options->edition, "Which text of the procedures [corrected, or the trace's]")
+    command.add_option("--kernel", options->kernel, "The arithmetic [double, or the trace's]")->check(a_kernel());
+    command.add_option("--edition", options->edition, "The text of the procedures [corrected, or the trace's]")
         ->check(an_edition())
         ->type_name("EDITION");
     command
         .add_option("--list", options->list,
-                    "Where to list the decisions that are wrong, that rest on an exact coincidence, or are narrow "
+                    "A list of the decisions that are wrong, that rest on an exact coincidence, or that are narrow "
                     "(.csv, .jsonl; see FORMAT.md)")
         ->type_name("FILE");
-    command.add_option("--narrowest", options->narrowest, "How many of the narrowest decisions to list [20]")
+    command.add_option("--narrowest", options->narrowest, "The number of narrowest decisions to list [20]")
         ->type_name("N");
     command.footer(
         "A decision is wrong because an operation rounded, or because its operands had drifted from the exact values.\n"

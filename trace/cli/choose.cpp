@@ -105,7 +105,7 @@ int choose(const ChooseOptions& options) {
 
 void add_choose(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("choose", "Find the cheapest method and kernel whose picture is certainly right");
+        *program.add_subcommand("choose", "Find the cheapest method and kernel with a picture that is certainly right");
     const auto options = std::make_shared<ChooseOptions>();
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();

@@ -55,7 +55,7 @@ void add_diff(CLI::App& program, int& status) {
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->first, "A trace")->required();
     command.add_option("B", options->second, "Another trace, for example under another kernel")->required();
-    command.footer("Headers are not compared. Exit status 1: the traces differ.");
+    command.footer("The headers are not compared. Exit status 1: the traces differ.");
     command.callback([options, &status] { status = diff(*options); });
 }
 

@@ -10,7 +10,7 @@ void add_figure(CLI::App& program, int& status) {
     add_figure_options(command, *options);
     command.footer(
         "Example: vidno figure run.jsonl.gz --step 40 --show picture,windows,list,listing -o figure.pdf\n"
-        "The .tex compiles alone under pdfLaTeX, and can be \\input into a document, whose font it then uses.");
+        "pdfLaTeX typesets the .tex file on its own. A document can also \\input it and then sets it in its own font.");
     command.callback([options, &status] {
         write_file(options->output, drawn_figure(*options));
         status = 0;

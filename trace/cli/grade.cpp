@@ -84,7 +84,7 @@ std::string page_of(const SceneGrade& grade, const Words& say) {
 
 /// Writes the page and prints its address, at the wrong step.
 void write_page(const SceneGrade& grade, const std::string& file, const Words& say) {
-    if (!grade.run.header) throw Refused(file + ": there is no trace to be shown");
+    if (!grade.run.header) throw Refused(file + ": there is no trace to show");
     write_file(file, page_of(grade, say));
     const auto& judgement = grade.judgement;
     const std::uint64_t step = judgement && judgement->wrong ? judgement->wrong->step : grade.run.events.size();
@@ -182,7 +182,7 @@ std::vector<std::filesystem::path> programs_in(const std::string& folder) {
             programs.push_back(entry.path());
     }
     std::sort(programs.begin(), programs.end());
-    if (programs.empty()) throw Refused(folder + ": no programs in it");
+    if (programs.empty()) throw Refused(folder + ": contains no programs");
     return programs;
 }
 
@@ -256,17 +256,16 @@ int grade(const GradeOptions& options) {
 
 void add_grade(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("grade", "Judge a student's program, or its trace, by the meaning of each step");
+        *program.add_subcommand("grade", "Check each step of a student's program, or of its trace, for correctness");
     const auto options = std::make_shared<GradeOptions>();
     command
         .add_option(
             "PROGRAM|TRACE|FOLDER", options->program,
-            "A program that writes a trace by lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
+            "A program that writes a trace with lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
             "or a folder of such programs")
         ->required();
-    command.add_option("--scenes", options->scenes,
-                       "Scene or surface files to run it on; without them, on a set of small ones");
-    command.add_option("--random", options->random, "How many random scenes to add to that set")
+    command.add_option("--scenes", options->scenes, "Scene or surface files to run it on [a set of small ones]");
+    command.add_option("--random", options->random, "The number of random scenes to add to that set")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command.add_option("--seed", options->seed, "The seed of the random scenes")->capture_default_str();
@@ -275,28 +274,30 @@ void add_grade(CLI::App& program, int& status) {
                     "The trace must contain every claim of this level; otherwise the exit status is 1")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
-    command.add_option("--seconds", options->seconds, "How long a run may take")
+    command.add_option("--seconds", options->seconds, "The time limit for a run")
         ->check(CLI::Range(1, 3600))
         ->capture_default_str();
-    command.add_flag("--first", options->first, "Stop at the first scene that goes wrong, and look for no smaller one");
+    command.add_flag("--first", options->first,
+                     "Stop at the first scene that goes wrong, without a search for a smaller one");
     command.add_flag("--no-sandbox", options->no_sandbox,
                      "Run the program with access to your files and to the network");
     command.add_option("--language", options->language, "The language of the report")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("-o", options->output,
-                       "A page, .html, with the wrong run on the smallest scene beside the right one; of a folder a "
-                       "table, .csv or .json, and in a folder of the same name a report on each program");
+                       "A page, .html, with the wrong run on the smallest scene beside the right one; for a folder a "
+                       "table, .csv or .json, with a report on each program in a folder of the same name");
     command.footer(
         "It judges Warnock's algorithm, the Z-buffer, Weiler and Atherton's algorithm and the floating horizon.\n"
-        "Another order, another rule for outlines, recursion and float are as right. What a program does not tell is "
+        "A different order, a different rule for outlines, recursion and float are accepted. Steps that a program does "
         "not\n"
-        "judged; the report says what it told. Programs run with limits of time, memory and output, and under "
-        "bubblewrap,\n"
-        "where that is installed, without network and without your files.\n"
+        "report are not judged; the report lists the reported ones. Programs run with limits of time, memory and "
+        "output, "
+        "and\n"
+        "under bubblewrap, where it is installed, without network and without access to your files.\n"
         "Example: vidno grade ./warnock -o report.html\n"
         "Example: vidno grade homework/ --detail polygons -o table.csv\n"
-        "Exit status 1: something is wrong, or is not told.");
+        "Exit status 1: something is wrong, or a required claim is missing.");
     command.callback([options, &status] { status = grade(*options); });
 }
 

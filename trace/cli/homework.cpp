@@ -45,7 +45,7 @@ int homework(const HomeworkOptions& options) {
         return profiled_run(exercise, method).long_numbers > 0;
     };
     if (std::any_of(found.begin(), found.end(), has_long_numbers)) {
-        std::cerr << options.scene << ": no scene with short slopes and depths alone was found; some are longer\n";
+        std::cerr << options.scene << ": no scenes with only short slopes and depths were found; some are longer\n";
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -66,28 +66,30 @@ void describe_homework(CLI::App& command, int& status) {
     const auto options = std::make_shared<HomeworkOptions>();
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();
-    command.add_option("--count", options->count, "How many")
+    command.add_option("--count", options->count, "The number of scenes")
         ->check(CLI::Range(std::size_t{1}, most_exercises))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "The seed; another one gives other scenes")->capture_default_str();
+    command.add_option("--seed", options->seed, "The seed; another seed gives other scenes")->capture_default_str();
     command.add_option("--method", options->method, "The algorithm for which they are equally hard")
         ->check(CLI::IsMember(words(course_method_names)))
         ->capture_default_str();
-    command.add_option("-o", options->output, "The folder, which must not exist yet: 01.json and so on")->required();
+    command.add_option("-o", options->output, "The folder for 01.json, 02.json and so on; it must not exist yet")
+        ->required();
     command.footer(
-        "Equally hard: a run reaches the same lines of the listing and the same cases; each count differs by at most a "
-        "tenth.\n"
-        "All slopes and depths of the run are short, if such scenes are found: fractions of whole numbers of "
+        "Scenes are equally hard if runs reach the same lines of the listing and the same cases, and each count "
+        "differs "
+        "by at most a tenth.\n"
+        "If possible, all slopes and depths of a run are short: fractions of whole numbers with "
         "at most two digits, such as -17/22.\n"
         "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
-        "Exit status 1: fewer were found than requested.");
+        "Exit status 1: fewer scenes were found than requested.");
     command.callback([options, &status] { status = homework(*options); });
 }
 
 }  // namespace
 
 void add_homework(CLI::App& program, int& status) {
-    const std::string does = "Make scenes as hard as this one, with other numbers";
+    const std::string does = "Make scenes with other numbers that are as hard as this one";
     describe_homework(*program.add_subcommand("homework", does), status);
     // Its former name is not in the help.
     describe_homework(*program.add_subcommand("variants", does)->group(""), status);

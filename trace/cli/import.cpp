@@ -44,9 +44,10 @@ void add_camera_options(CLI::App& command, ImportOptions& import) {
     command.add_option("--height", import.height, "The height of the picture, in pixels")
         ->check(CLI::Range(1, largest_side))
         ->capture_default_str();
-    auto& camera = *command.add_option_group("Camera", "Without --eye it shows the whole mesh, a little from above");
-    add_vector(camera, import, "--eye", &Camera::eye, "The place of the camera");
-    add_vector(camera, import, "--target", &Camera::target, "The point that it looks at [0 0 0]");
+    auto& camera =
+        *command.add_option_group("Camera", "Without --eye the camera sees the whole mesh, a little from above");
+    add_vector(camera, import, "--eye", &Camera::eye, "The position of the camera");
+    add_vector(camera, import, "--target", &Camera::target, "The point at which it looks [0 0 0]");
     add_vector(camera, import, "--up", &Camera::up, "The upward direction [0 1 0]");
     add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle in degrees [45]");
     add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the visible height");
@@ -72,12 +73,12 @@ int import_scene(const ImportedMesh& options) {
 }  // namespace
 
 void add_import(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("import", "Make a scene from a mesh seen by a camera");
+    auto& command = *program.add_subcommand("import", "Make a scene from a mesh as a camera sees it");
     const auto options = std::make_shared<ImportedMesh>();
     command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
-    command.footer("Faces that are not planar or not convex are cut into triangles; dropped faces are reported.");
+    command.footer("Faces that are not planar and convex are cut into triangles; dropped faces are reported.");
     command.callback([options, &status] { status = import_scene(*options); });
 }
 

@@ -91,7 +91,7 @@ int print_pin(const LessonOptions& options) {
 
 void add_lesson(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("lesson", "Write a lesson: its first files, its pins, a check, the built course");
+        *program.add_subcommand("lesson", "Write a lesson: make its files, pin its steps, check it, build the course");
     command.require_subcommand(0, 1);  // one; 0 so that a wrong name is reported before a missing one
     const auto options = std::make_shared<LessonOptions>();
     const auto add_folders = [&options](CLI::App& sub) {
@@ -104,7 +104,7 @@ void add_lesson(CLI::App& program, int& status) {
     made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
     made.callback([options, &status] { status = make_lesson(*options); });
 
-    auto& pin = *command.add_subcommand("pin", "Print a pin for a step, as a line for lesson.json");
+    auto& pin = *command.add_subcommand("pin", "Print the pin of a step, as a line for lesson.json");
     add_folders(pin);
     pin.add_option("--run", options->run, "The run [the first]");
     pin.add_option("--step", options->step, "The step, as the page counts them")->required();
@@ -115,11 +115,11 @@ void add_lesson(CLI::App& program, int& status) {
     check.footer("Exit status 1: there are errors.");
     check.callback([options, &status] { status = check_lessons(*options); });
 
-    auto& build = *command.add_subcommand("build", "Trace lessons and place their pins, for the page");
+    auto& build = *command.add_subcommand("build", "Trace lessons and find their pins, for the page");
     add_folders(build);
     build.add_option("-o", options->output, "The folder of the course")->required();
     add_no_answers(build, options->answers);
-    build.footer("Exit status 1: there are errors, as lesson check reports them; the rest is built.");
+    build.footer("Exit status 1: there are errors, which lesson check reports; the rest is built.");
     build.callback([options, &status] { status = build_course(*options); });
 }
 

@@ -42,7 +42,7 @@ void print(const SignMap& map) {
 /// The decision of a file: a decision file, or the one at which a failure goes wrong.
 MappedDecision decision_in(const std::string& file) {
     const std::string text = read_file(file);
-    if (is_surface(text)) throw Refused(file + ": a surface, and no decision to be mapped, vidno-question/1");
+    if (is_surface(text)) throw Refused(file + ": a surface, not a decision to map, vidno-question/1");
     if (!is_failure(text)) return read_mapped_decision(text, file);
     const Failure failure = read_failure(text, file);
     say(failure, file);
@@ -51,7 +51,8 @@ MappedDecision decision_in(const std::string& file) {
 
 int map(const MapOptions& options) {
     const std::string& output = options.output;
-    if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
+    if (output == "-")
+        throw Refused("-: only the table goes to standard output; the map needs a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map do not lie on a grid");
     const MappedDecision decision = decision_in(options.decision);
@@ -68,19 +69,18 @@ int map(const MapOptions& options) {
 }  // namespace
 
 void add_map(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("map", "Map one decision at 256 x 256 places of a point, beside the truth");
+    auto& command =
+        *program.add_subcommand("map", "Take one decision at 256 x 256 places of a point, beside the exact one");
     const auto options = std::make_shared<MapOptions>();
     command.add_option("DECISION", options->decision, "A decision file, vidno-question/1; - for standard input")
         ->required();
-    command.add_option("--kernel", options->kernel, "Which arithmetic decides")
-        ->check(a_kernel())
-        ->capture_default_str();
+    command.add_option("--kernel", options->kernel, "The arithmetic")->check(a_kernel())->capture_default_str();
     command.add_option("-o", options->output,
-                       "The map, .png or .ppm; or .json: how often each answer is right and wrong");
+                       "The map, .png or .ppm; or .json, with how often each answer is right and wrong");
     command.footer(
-        "In the picture orange is negative, blue positive, white or black zero; dark differs from the exact answer.\n"
+        "In the picture orange is negative, blue is positive, and white or black is zero. Dark places are wrong.\n"
         "Example: vidno map lessons/maps/kettner-2a.json -o a.png\n"
-        "Exit status 1: at some place the answer is wrong.");
+        "Exit status 1: the answer is wrong at some place.");
     command.callback([options, &status] { status = map(*options); });
 }
 

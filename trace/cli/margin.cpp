@@ -25,7 +25,7 @@ std::pair<PolygonPlace, int> vertex_in(const Scene& scene, const std::string& na
     const auto polygon = std::find_if(scene.polygons.begin(), scene.polygons.end(),
                                       [&](const ScenePolygon& each) { return each.id == id; });
     if (dot == std::string::npos || polygon == scene.polygons.end()) {
-        throw Refused("--vertex " + name + ": not a polygon of the scene and one of its vertices, like A.2");
+        throw Refused("--vertex " + name + ": not a vertex of a polygon of the scene, such as A.2");
     }
     int vertex = -1;
     const char* const end = name.data() + name.size();
@@ -53,18 +53,20 @@ void add_margin(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("margin", "Find where a vertex may be moved without changing a sign of a step");
     const auto options = std::make_shared<MarginOptions>();
-    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm [warnock]",
+    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "The algorithm [warnock]",
                     words(method_names));
     command
         .add_option("--step", options->step,
                     "A step with a sign, counted at level signs: in SurroundTest, PolygonClip, "
                     "TrialFunction, RayCrossings or OctantAngles")
         ->required();
-    command.add_option("--vertex", options->vertex, "The vertex, from 0: A.2 is the third of the polygon A")
+    command
+        .add_option("--vertex", options->vertex, "The vertex, counted from 0: A.2 is the third vertex of the polygon A")
         ->required();
     command.add_flag("--json", options->json, "As JSON, vidno-margin/1");
     command.footer(
-        "The region is where all the half-planes meet; each line says which signs change beyond it. All numbers are "
+        "The region is the intersection of the half-planes; each line says which signs change beyond it. All numbers "
+        "are "
         "exact.\n"
         "Example: vidno margin scene.json --step 12 --vertex A.2");
     command.callback([options, &status] { status = margin(*options); });

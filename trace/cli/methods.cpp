@@ -72,7 +72,7 @@ int print_methods(bool as_json) {
 }  // namespace
 
 void add_methods(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("methods", "List the methods, kernels, editions and levels");
+    auto& command = *program.add_subcommand("methods", "List the methods, kernels, editions and levels of detail");
     const auto as_json = std::make_shared<bool>();
     command.add_flag("--json", *as_json, "As JSON: also which edition of which method runs under which kernel");
     command.callback([as_json, &status] { status = print_methods(*as_json); });

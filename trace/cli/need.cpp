@@ -38,15 +38,14 @@ int need(const NeedOptions& options) {
 }  // namespace
 
 void add_need(CLI::App& program, int& status) {
-    auto& command =
-        *program.add_subcommand("need", "Find the least of a scene, and of arithmetic, that its picture needs");
+    auto& command = *program.add_subcommand("need", "Find how little of a scene, and of arithmetic, its picture needs");
     const auto options = std::make_shared<NeedOptions>();
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();
     command.add_option("-o", options->output, "The polygons and vertices that are needed, as a scene");
     command.footer(
-        "Each line says what one less would change. Polygons and vertices are left out first; the rest is\n"
-        "tested on what remains, one thing at a time.");
+        "Each line says what one less would change. The command first leaves out polygons and vertices, and then\n"
+        "tests everything else on the remaining scene, one thing at a time.");
     command.callback([options, &status] { status = need(*options); });
 }
 

@@ -87,7 +87,7 @@ int render(RenderOptions options) {
 }  // namespace
 
 void add_render(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("render", "Run a method and keep only the picture");
+    auto& command = *program.add_subcommand("render", "Run a method and write only the picture");
     const auto options = std::make_shared<RenderOptions>();
     add_any_run_options(command, *options);
     command
@@ -97,7 +97,7 @@ void add_render(CLI::App& program, int& status) {
         ->required();
     command
         .add_option("--lines", options->lines,
-                    "Only the outlines: visible lines solid, hidden ones dashed or omitted; for weiler-atherton, as "
+                    "Only the outlines: visible lines solid, hidden lines dashed or omitted; for weiler-atherton, as "
                     ".svg, .pdf or .tex")
         ->check(CLI::IsMember({"dashed", "omitted"}));
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");

@@ -39,7 +39,7 @@ std::string encoded(const FloatingHorizonState& state, const std::string& name) 
 int verdict(const TraceFile& trace, const auto& state) {
     if (!is_whole(trace)) return 1;
     if (trace.end()->hash != hash_of(state)) {
-        std::cerr << trace.place() << ": the events paint another picture than the trace says\n";
+        std::cerr << trace.place() << ": the events do not paint the picture that the trace states\n";
         return 1;
     }
     return 0;
@@ -80,14 +80,13 @@ void add_replay(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     const auto options = std::make_shared<ReplayOptions>();
     command.add_option("TRACE", options->trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
-    command.add_option("--step", options->step, "The number of events [all]");
+    command.add_option("--step", options->step, "The step, as a number of events [all]");
     command
         .add_option("-o", options->output,
-                    "The picture, .png or .ppm; for curves .svg, .pdf, .png or .tex; or .json: the whole state at that "
-                    "step; or "
-                    ".jsonl: at every step")
+                    "The picture, .png or .ppm; for curves .svg, .pdf, .png or .tex; or the whole state: .json at that "
+                    "step, .jsonl at every step")
         ->required();
-    command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
+    command.footer("Exit status 1: the trace was cut short, is partial, or does not paint the picture that it states.");
     command.callback([options, &status] { status = replay(*options); });
 }
 

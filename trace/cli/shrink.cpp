@@ -82,7 +82,7 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Adm
             return first_wrong(trial.check(smaller)) == wrong;
         };
     }
-    throw Refused(options.scene + ": nothing fails: no decision is wrong, and no pixel");
+    throw Refused(options.scene + ": nothing fails: no decision and no pixel is wrong");
 }
 
 int shrink(ShrinkOptions options) {
@@ -90,7 +90,7 @@ int shrink(ShrinkOptions options) {
     const AnyScene given = any_scene_for(options);
     const auto* polygons = std::get_if<AdmittedScene>(&given);
     if (!polygons)
-        throw Refused(options.scene + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
+        throw Refused(options.scene + ": a surface, but this command takes scenes of polygons, vidno-scene/1");
     const Trial trial(options);
     const AdmittedScene scene = scene_for(kernel_of(options), *polygons, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
@@ -113,20 +113,20 @@ int shrink(ShrinkOptions options) {
 
 void add_shrink(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or behaves like this one");
+        *program.add_subcommand("shrink", "Find the smallest scene that still fails or still behaves in a given way");
     const auto options = std::make_shared<ShrinkOptions>();
     add_run_options(command, *options, "A scene file, vidno-scene/1, or a failure; - for standard input",
-                    "Which algorithm [warnock]", words(method_names));
+                    "The algorithm [warnock]", words(method_names));
     auto* keep =
         command.add_option("--keep", options->keep,
-                           "failure: a wrong pixel, or if there is none a wrong decision of the same procedure; "
-                           "picture: the picture that this run paints; decision: a step at the line --at");
+                           "failure: a wrong pixel or, if there is none, a wrong decision of the same procedure; "
+                           "picture: the picture that this run paints; decision: a step at the line --at LINE");
     keep->check(CLI::IsMember({"failure", "picture", "decision"}))->capture_default_str();
     command.add_option("--at", options->at, "A line of the listing, such as PL5 or W13")
         ->check(CLI::IsMember(words(line_names)));
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
     command.footer(
-        "The result cannot lose another polygon, vertex or binary place of a coordinate.\n"
+        "The result would lose the property if it lost another polygon, vertex or binary place of a coordinate.\n"
         "Example: vidno shrink scene.json --kernel float --keep failure -o smallest.json");
     command.callback([options, &status] { status = shrink(*options); });
 }

@@ -213,17 +213,17 @@ std::string footer() {
         }
     };
     list(families);
-    text << "Families of curves, for the floating horizon; they are only moved:\n";
+    text << "Families of curves, for the floating horizon and the experiment moved:\n";
     list(curve_families);
     text << R"(Experiments:
-  moved             each coordinate by up to 0, 1, 2, 4, 16, 2^8, 2^16, 2^32 ulps: how many decisions and pixels are
-                    wrong, compared with exact arithmetic (the kernel grid: on the snapped scene)
-  swept             the last polygon goes to the right in 256 steps, of an ulp or of 1/256 pixel: how many pixels
-                    change from one step to the next though they do not in the exact picture
-  changed           vertices started elsewhere or reversed, polygons reordered, all shifted by whole pixels or
-                    doubled: how many pixels change though they do not in the exact picture
-  grown             scene and area, from 8 to 256 pixels a side: how many windows, relative to half the side: a factor
-                    of 2 is the growth of a length, 4 that of an area
+  moved             moves each coordinate by up to 0, 1, 2, 4, 16, 2^8, 2^16, 2^32 ulps and counts the decisions and
+                    pixels that differ from exact arithmetic (under the kernel grid, on the snapped scene)
+  swept             moves the last polygon to the right in 256 steps, of an ulp or of 1/256 pixel, and counts the pixels
+                    that change from one step to the next but do not in the exact picture
+  changed           starts outlines at other vertices or reverses them, reorders polygons, shifts everything by whole
+                    pixels or doubles it, and counts the pixels that change but do not in the exact picture
+  grown             enlarges scene and area from 8 to 256 pixels a side, and counts the windows relative to half the
+                    side: a factor of 2 is the growth of a length, 4 that of an area
 Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. Errors of the
 other kernels are results, not failures.
 Examples:
@@ -262,29 +262,31 @@ int stability(const StabilityOptions& options) {
 }  // namespace
 
 void add_stability(CLI::App& program, int& status) {
-    auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
+    auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count the errors");
     const auto options = std::make_shared<StabilityOptions>();
     auto& campaign = options->campaign;
-    command.add_option("--family", campaign.families, "Families of scenes, see below; or all [the first nine]");
-    command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
+    command.add_option("--family", campaign.families, "Families of scenes as listed below, or all [the first nine]");
+    command.add_option("--kernel", campaign.kernels, "The kinds of arithmetic [float, double, filtered]")
         ->check(a_kernel());
     auto methods = all_methods();
     methods.emplace_back("all");
     command
         .add_option("--method", campaign.methods,
-                    "Algorithms; or all, each under the kernels that run it [warnock, zbuffer]")
+                    "The algorithms, or all, each under the kernels that run it [warnock, zbuffer]")
         ->check(CLI::IsMember(methods));
-    command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of expensive ones")
+    command
+        .add_option("--count", campaign.count,
+                    "The trials of each experiment in each family; expensive experiments have fewer")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();
-    command.add_option("--seed", campaign.seed, "The seed; another one gives other scenes")->capture_default_str();
-    command.add_option("--shard", options->shard, "K/N: only every N-th block of trials, from the K-th");
-    auto* merge = command.add_option("--merge", options->merged, "Run nothing: merge these files of results");
+    command.add_option("--seed", campaign.seed, "The seed; another seed gives other scenes")->capture_default_str();
+    command.add_option("--shard", options->shard, "K/N: run only every N-th block of trials, from the K-th");
+    auto* merge = command.add_option("--merge", options->merged, "Merge these files of results, without a run");
     command.add_option("-o", options->output,
-                       "Keep the results, .jsonl; a run that was killed goes on where it stopped");
+                       "Keep the results, .jsonl; an interrupted campaign continues where it stopped");
     command.add_option(
         "--witnesses", options->witnesses,
-        "A folder: the smallest scene for each family, method and kernel that paints a pixel wrong, as a failure");
+        "A folder for failures: the smallest scene of each family on which a method and kernel paint a wrong pixel");
     for (const char* of_run : {"--witnesses", "--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
         merge->excludes(of_run);
     }

@@ -70,16 +70,17 @@ void add_trace(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("trace", "Run a method and record every step");
     const auto options = std::make_shared<TraceOptions>();
     add_any_run_options(command, *options);
-    command.add_option("--detail", options->detail, "How much: each level adds events to the one before")
+    command.add_option("--detail", options->detail, "The level of detail; each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
-    command.add_flag("--check", options->check, "Write the truth beside each decision, and mark wrong decisions");
+    command.add_flag("--check", options->check,
+                     "Write the exact answer beside each decision, and mark wrong decisions");
     command.add_option("--max-events", options->most_events, "Stop after this many events, and keep them")
         ->check(CLI::NonNegativeNumber);
     command.add_option("-o", options->output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
     command.footer(
         "Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz\n"
-        "A scene, written by hand: greater z is nearer; names, colours and the window have defaults.\n" +
+        "A scene written by hand (greater z is nearer; names, colours and the window have defaults):\n" +
         std::string(example_scene));
     command.callback([options, &status] { status = trace(*options); });
 }

@@ -64,7 +64,7 @@ figures::ChosenRows chosen_from(const std::string& text, bool are_steps) {
     const auto dots = text.find("..");
     if (dots != text.npos) read(std::string_view(text).substr(0, dots), chosen.first);
     read(std::string_view(text).substr(dots == text.npos ? 0 : dots + 2), chosen.last);
-    if (chosen.first > chosen.last || chosen.last == 0) throw Refused(option + ": no row lies there");
+    if (chosen.first > chosen.last || chosen.last == 0) throw Refused(option + ": this range contains no row");
     return chosen;
 }
 
@@ -87,7 +87,7 @@ std::string asked_about(const std::string& trace, const WorksheetOptions& option
 
 /// Questions about the next step of a trace's run, made by Node.
 int moodle_questions(const WorksheetOptions& options) {
-    if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
+    if (options.files.size() > 1) throw Refused(options.files[1] + ": an .xml file has the questions about one trace");
     if (options.method || options.key) throw Refused("--method and --key are for sheets, which are .pdf");
     if (options.rows || options.steps) throw Refused("--rows and --steps are for sheets, which are .pdf");
     const std::string& trace = options.files[0];
@@ -103,8 +103,8 @@ int worksheet(const WorksheetOptions& options) {
     if (options.output.ends_with(".xml")) return moodle_questions(options);
     expect_pdf(options.output);
     if (options.key) expect_pdf(*options.key);
-    if (options.key == options.output) throw Refused("--key " + *options.key + ": that is the blank sheets' file");
-    if (options.count) throw Refused("--count: " + options.output + " has sheets, no questions");
+    if (options.key == options.output) throw Refused("--key " + *options.key + ": this file gets the blank sheets");
+    if (options.count) throw Refused("--count: " + options.output + " gets sheets, not questions");
     const auto language = Language(place_in(language_codes, options.language));
     const auto method = Method(place_in(method_names, options.method.value_or("warnock")));
     const auto chosen = chosen_rows(options);
@@ -128,23 +128,23 @@ int worksheet(const WorksheetOptions& options) {
 }  // namespace
 
 void add_worksheet(CLI::App& program, int& status) {
-    auto& command =
-        *program.add_subcommand("worksheet", "Print scenes with tables to be filled in by hand, or ask about a run");
+    auto& command = *program.add_subcommand(
+        "worksheet", "Print scenes with tables to fill in by hand, or write questions about a run");
     const auto options = std::make_shared<WorksheetOptions>();
-    command.add_option("SCENE|TRACE", options->files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
+    command.add_option("SCENE|TRACE", options->files, "For .pdf, scene files, vidno-scene/1; for .xml, one trace")
         ->required();
-    command.add_option("--language", options->language, "The language of its words")
+    command.add_option("--language", options->language, "The language of the sheets or questions")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("--method", options->method, "For .pdf: the algorithm to work through [warnock]")
         ->check(CLI::IsMember(words(method_names)));
     auto* rows =
-        command.add_option("--rows", options->rows, "For .pdf: N or A..B, the rows of the table [all that fit]");
-    command
-        .add_option("--steps", options->steps, "For .pdf: A..B, the rows that begin at these steps of the exact run")
+        command.add_option("--rows", options->rows, "For .pdf: the rows of the table, N or A..B [all that fit]");
+    command.add_option("--steps", options->steps, "For .pdf: the rows that begin at the steps A..B of the exact run")
         ->excludes(rows);
     command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
-    command.add_option("--count", options->count, "For .xml: how many questions at most, spread over the kinds [20]")
+    command
+        .add_option("--count", options->count, "For .xml: the greatest number of questions, spread over the kinds [20]")
         ->check(CLI::Range(1, 9999));
     command
         .add_option("-o", options->output,

@@ -102,7 +102,7 @@ void Figure::add(const Moment& moment, const std::optional<PixelHistory>& histor
 
 void Figure::add(const FloatingHorizonMoment& moment) {
     if (options_.shows(Part::list) || options_.shows(Part::history)) {
-        throw Refused("a run of curves has no list and no history of pixels: --show picture,windows,listing");
+        throw Refused("a run of curves has no list and no history of pixels; use --show picture,windows,listing");
     }
     std::optional<Drawing> drawn_plane;
     if (options_.shows_plane()) drawn_plane = plane(moment);

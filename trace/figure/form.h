@@ -1,4 +1,4 @@
-/// Form: a ruled table to be filled in by hand, or filled in.
+/// Form: a ruled table, blank or filled in.
 #pragma once
 
 #include "drawing.h"

@@ -48,10 +48,10 @@ FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
     } run;
     read_run(object, run);
     if (!kernel_named(run.kernel)->choice->runs_floating_horizon(run.edition)) {
-        object.at("kernel").refuse("no kernel and edition of floating-horizon");
+        object.at("kernel").refuse("floating-horizon does not run under this kernel and edition");
     }
     const JsonNode scene = member(object, "scene");
-    if (scene.has("function")) scene.at("function").refuse("a trace has the samples");
+    if (scene.has("function")) scene.at("function").refuse("a trace has samples instead");
     return {run.edition, std::move(run.kernel), run.detail, read_whole_surface(scene)};
 }
 

@@ -25,12 +25,13 @@ TraceEnd read_end(const JsonNode& object, std::string_view result) {
     if (!events.value().is_number_unsigned()) events.refuse("not a count");
     found.events = events.value().get<std::uint64_t>();
     if (end.has("partial")) {
-        if (end.at("partial").value() != true || end.has(result)) end.at("partial").refuse("not true and alone");
+        if (end.at("partial").value() != true || end.has(result))
+            end.at("partial").refuse("must be true, without a result beside it");
         found.partial = true;
         return found;
     }
     const JsonNode hash = member(end, result);
-    if (!hash.is_text()) hash.refuse("not a text");
+    if (!hash.is_text()) hash.refuse("not a string");
     found.hash = hash.text();
     return found;
 }
@@ -116,7 +117,7 @@ std::optional<EventView> TraceFile::read_otherwise() {
         if (lines_.next(line_)) throw Refused("text after the last line");
         return std::nullopt;
     }
-    if (!object.has("e") || !object.at("e").is_text()) throw Refused("/e: no name of an event");
+    if (!object.has("e") || !object.at("e").is_text()) throw Refused("/e: not the name of an event");
     reading_->otherwise = read_event(object, reading_->context);
     ++events_;
     return reading_->otherwise;

@@ -29,7 +29,7 @@ public:
         E event;
         event.at = Line(place_of_word(member(object_, "at"), line_names));
         fields_ = 2;  // e and at
-        if (!E::lines.has(event.at)) object_.at("at").refuse("no line of this event");
+        if (!E::lines.has(event.at)) object_.at("at").refuse("not a line of this event");
         E::fields(event, [&](std::string_view key, auto& target, const Meaning& meaning = any_number) {
             meaning_ = meaning;
             field(key, target);
@@ -83,7 +83,7 @@ private:
         target = node.value().get<double>();
     }
     void value(const JsonNode& node, std::string& target) const {
-        if (!node.is_text()) node.refuse("not a text");
+        if (!node.is_text()) node.refuse("not a string");
         target = node.text();
     }
     void value(const JsonNode& node, Fraction& target) const {
@@ -100,7 +100,7 @@ private:
         Text name;
         if (node.is_text()) append_string(name, node.text());
         const auto place = context_.polygons.find(name.view());
-        if (!place) node.refuse("no polygon of the scene");
+        if (!place) node.refuse("not a polygon of the scene");
         target = *place;
     }
     void value(const JsonNode& node, Sign& target) const {

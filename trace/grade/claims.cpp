@@ -32,7 +32,7 @@ void Claims::judge_plane(const event::Plane& e) const {
     throw False{Symptom::plane,
                 say({"the plane of {} is {} x + {} y + {} z + {} = 0", "плоскость {}: {} x + {} y + {} z + {} = 0"},
                     id(p), a.number, b.number, c.number, d.number),
-                say({"its vertices do not lie on that", "его вершины на ней не лежат"})};
+                say({"its vertices do not lie on that plane", "его вершины на ней не лежат"})};
 }
 
 void Claims::judge_fault(const event::Fault& e) const {
@@ -118,7 +118,7 @@ void Claims::judge_nearest_so_far(double told, const std::optional<double>& know
     if (!known || *known == told || truth_.nearly_equal(*known, told)) return;
     throw False{Symptom::comparison,
                 say({"the nearest depth so far is {}", "ближайшая из прежних глубин равна {}"}, told),
-                say({"the trace has told {} before", "раньше в записи сказано {}"}, *known)};
+                say({"the trace has reported {} before", "раньше в записи сказано {}"}, *known)};
 }
 
 void Claims::judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,

@@ -120,17 +120,17 @@ struct SignalWords {
 constexpr std::array signal_words{
     SignalWords{SIGSEGV,
                 "SIGSEGV",
-                {"it reached for memory that is not its own, or called itself without end",
+                {"it accessed memory outside its own, or called itself without end",
                  "обращение к чужой памяти или бесконечная рекурсия"}},
-    SignalWords{SIGBUS, "SIGBUS", {"it reached for memory that is not there", "обращение к памяти, которой нет"}},
+    SignalWords{SIGBUS, "SIGBUS", {"it accessed memory that does not exist", "обращение к памяти, которой нет"}},
     SignalWords{SIGABRT,
                 "SIGABRT",
-                {"it gave up, as after an exception that nobody catches or a failed assertion",
+                {"it aborted, as after an uncaught exception or a failed assertion",
                  "неперехваченное исключение или не выполненное утверждение assert"}},
     SignalWords{SIGFPE, "SIGFPE", {"it divided a whole number by zero", "целое число разделено на ноль"}},
     SignalWords{SIGILL,
                 "SIGILL",
-                {"it reached an instruction that does not exist, as at the end of a function without return",
+                {"it reached an invalid instruction, as at the end of a function without return",
                  "недопустимая инструкция, как в конце функции без return"}},
 };
 

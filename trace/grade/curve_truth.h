@@ -2,7 +2,7 @@
 /// the equivalent for polygons.
 ///
 /// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest height.
-/// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may as well hide it.
+/// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may also hide it.
 /// Beginning  Between a column over which there is a horizon and one over which there is none, a line may end anywhere.
 #pragma once
 

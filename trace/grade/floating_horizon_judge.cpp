@@ -18,7 +18,7 @@ void FloatingHorizonJudge::judge_start(Side side, const std::optional<Value>& st
                 side == Side::upper
                     ? say({"the upper horizon starts at y = {}", "верхний горизонт начинается с y = {}"}, start->number)
                     : say({"the lower horizon starts at y = {}", "нижний горизонт начинается с y = {}"}, start->number),
-                say({"a curve goes beyond that, and nothing hides it there",
+                say({"a curve goes beyond it, and nothing hides the curve there",
                      "кривая заходит дальше, и там её ничто не закрывает"})};
 }
 

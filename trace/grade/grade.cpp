@@ -19,8 +19,9 @@ bool is_judged(const AnyHeader& header) {
 std::string nothing_to_judge(const StudentRun& run, const DrawnScene& scene, const Words& say) {
     if (run.trace.empty()) {
         return say(
-            {"no trace was written: draw scene_to_draw(...) or surface_to_draw(...), and tell a WarnockTrace, "
-             "ZBufferTrace, WeilerAthertonTrace or FloatingHorizonTrace what you do",
+            {"no trace was written: draw scene_to_draw(...) or surface_to_draw(...), and report each step to a "
+             "WarnockTrace, "
+             "ZBufferTrace, WeilerAthertonTrace or FloatingHorizonTrace",
              "запись не создана: рисуйте scene_to_draw(...) или surface_to_draw(...) и сообщайте о шагах объекту "
              "WarnockTrace, ZBufferTrace, WeilerAthertonTrace или FloatingHorizonTrace"});
     }
@@ -37,9 +38,8 @@ std::string nothing_to_judge(const StudentRun& run, const DrawnScene& scene, con
                    kernel);
     }
     if (!same_scene(scene_of(*run.header), scene)) {
-        return say(
-            {"another scene was drawn than the one that was given: draw scene_to_draw(...) or surface_to_draw(...)",
-             "нарисована другая сцена, а не заданная: рисуйте scene_to_draw(...) или surface_to_draw(...)"});
+        return say({"the program did not draw the given scene: draw scene_to_draw(...) or surface_to_draw(...)",
+                    "нарисована другая сцена, а не заданная: рисуйте scene_to_draw(...) или surface_to_draw(...)"});
     }
     return "";
 }

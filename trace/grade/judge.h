@@ -33,14 +33,14 @@ const std::string& kernel_of(const AnyHeader& header);
 enum class Symptom : unsigned char {
     plane,       // not the polygon's
     depth,       // not that of the polygon's plane
-    start,       // a polygon lies behind the depth that the depths start at
+    start,       // a polygon lies behind the initial depth
     comparison,  // which of two depths is nearer
     point_in_polygon,
     box,             // not the polygon's
     count,           // the number of polygons in a window
     contradiction,   // the case of a window does not follow from what was found in it
     left_list,       // a visible polygon left the list
-    surrounded,      // no polygon surrounds the window and hides all else in it
+    surrounded,      // no polygon surrounds the window and hides everything else in it
     overlooked,      // a visible polygon was not examined in the window
     not_plain,       // a window called empty or single is not
     too_small,       // a window of one pixel is split, or a larger one is called a pixel

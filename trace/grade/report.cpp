@@ -54,7 +54,7 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
     // On scenes in which no window is split twice, breadth first cannot be distinguished from recursion.
     if (scenes.contains(Difference::breadth_first)) scenes.erase(Difference::recursion);
     std::string text;
-    if (!scenes.empty()) text += say({"\nDifferent, and as right:\n", "\nИначе, но тоже верно:\n"});
+    if (!scenes.empty()) text += say({"\nDifferent, but equally right:\n", "\nИначе, но тоже верно:\n"});
     for (const auto& [difference, count] : scenes)
         text += "  " + say(words_of(difference)) + " (" + scenes_in_words(count, say) + ")\n";
     if (open > 0) {
@@ -118,10 +118,10 @@ std::string verdict_of(const ProgramGrade& grade, const Words& say) {
     const int count = int(grade.scenes.size()), wrong = int(grade.wrong());
     const std::string told = in_words(grade.told, say);
     if (wrong == 0 && count > 1)
-        return say({"\nRight on all {} scenes, as far as told: {}.\n",
+        return say({"\nRight on all {} scenes, as far as reported: {}.\n",
                     "\nВерно на всех сценах ({}), насколько сообщено: {}.\n"},
                    count, told);
-    if (wrong == 0) return say({"\nRight, as far as told: {}.\n", "\nВерно, насколько сообщено: {}.\n"}, told);
+    if (wrong == 0) return say({"\nRight, as far as reported: {}.\n", "\nВерно, насколько сообщено: {}.\n"}, told);
     return say({"\nWrong on {} of {}, first on {}:\n", "\nНеверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
                quoted(name_of(grade.first_wrong()->scene), say));
 }
@@ -170,15 +170,15 @@ std::string report_of(const ProgramGrade& grade, const Grading& grading) {
     std::string text;
     for (const auto& each : grade.scenes) text += line_of(each, grading);
     if (grade.scenes.size() < grade.given) {
-        text += say({"  Not run on the {} scenes after these.\n", "  На остальных сценах ({}) не запускалась.\n"},
+        text += say({"  Not run on the remaining {} scenes.\n", "  На остальных сценах ({}) не запускалась.\n"},
                     grade.given - grade.scenes.size());
     }
     text += differences_of(grade, say) + verdict_of(grade, say);
     if (const SceneGrade* first = grade.first_wrong()) text += details_of(*first, grading);
     if (!grade.missing.empty()) {
-        text +=
-            say({"\nNot told, though level {} is asked for: {}.\n", "\nНе сообщено, хотя требуется уровень {}: {}.\n"},
-                detail_names[std::size_t(grading.detail)], grade.missing);
+        text += say(
+            {"\nNot reported, though level {} requires it: {}.\n", "\nНе сообщено, хотя требуется уровень {}: {}.\n"},
+            detail_names[std::size_t(grading.detail)], grade.missing);
     }
     if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
     return without_controls(text);

@@ -418,7 +418,7 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
     Outline2 told;
     for (const auto& v : vertices) {
         const std::string name = say.point(v.x, v.y, v.z);
-        if (!std::isfinite(v.x + v.y + v.z)) return say({"{} is no point", "{} — не точка"}, name);
+        if (!std::isfinite(v.x + v.y + v.z)) return say({"{} is not a point", "{} — не точка"}, name);
         const bool in_window = v.x >= window.x - open && v.x <= window.right() + open && v.y >= window.y - open &&
                                v.y <= window.bottom() + open;
         if (!in_window) return say({"{} lies outside the window", "{} лежит вне окна"}, name);
@@ -435,11 +435,11 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
     const Rational area = magnitude(twice_area(told));
     if (magnitude(right - area) <= Rational(open) * Rational(4 * (window.width + window.height))) return std::nullopt;
     if (told.empty()) {
-        return say({"nothing is left of it, and in the window there is an area of {}",
+        return say({"nothing is left of it, but its part in the window has an area of {}",
                     "от него ничего не осталось, а в окне лежит площадь {}"},
                    CGAL::to_double(right) / 2);
     }
-    return say({"its area is {}, that of the part in the window {}", "её площадь {}, а площадь части в окне {}"},
+    return say({"its area is {}, and that of the part in the window is {}", "её площадь {}, а площадь части в окне {}"},
                CGAL::to_double(area) / 2, CGAL::to_double(right) / 2);
 }
 

@@ -22,7 +22,7 @@ double twice_area(const auto& vertices, auto&& x, auto&& y) {
     return sum;
 }
 
-constexpr Bilingual not_looked_at{"; but {} was not looked at in this window", "; но {} в этом окне не рассмотрен"};
+constexpr Bilingual not_looked_at{"; but {} was not examined in this window", "; но {} в этом окне не рассмотрен"};
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void WarnockJudge::judge(const event::Push& e) {
     }
     if (is_part) return;
     throw False{Symptom::stray_window, say({"the window {} goes on the stack", "окно {} помещается в стек"}, e.window),
-                say({"it is no part of a window that was split", "оно не часть разделённого окна"})};
+                say({"it is not part of a window that was split", "оно не часть разделённого окна"})};
 }
 
 void WarnockJudge::judge_parts() {
@@ -354,8 +354,8 @@ void WarnockJudge::judge(const event::Summary& e) {
 }
 
 void WarnockJudge::judge_surrounded(Color color) {
-    const std::string told =
-        say({"{} hides all else in the window {}", "{} закрывает всё остальное в окне {}"}, owner_of(color), window_);
+    const std::string told = say({"{} hides everything else in the window {}", "{} закрывает всё остальное в окне {}"},
+                                 owner_of(color), window_);
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, color)) return;
         const bool overlooked = overlooks(column, row);
@@ -378,7 +378,7 @@ void WarnockJudge::judge_surrounds(Color color) const {
         before = {p, *nearer};
     }
     throw False{Symptom::surrounded,
-                say({"{} surrounds the window {} and hides all else in it",
+                say({"{} surrounds the window {} and hides everything else in it",
                      "{} охватывает окно {} и закрывает всё остальное в нём"},
                     owner_of(color), window_),
                 before ? say({"{} is nearer than {} in a part of it", "{} в части окна ближе, чем {}"},
@@ -464,7 +464,7 @@ void WarnockJudge::judge(const event::Decide& e) {
     if (e.which == Case::pixel && pixels().width * pixels().height > 1) {
         throw False{Symptom::too_small,
                     say({"the window {} is no larger than a pixel", "окно {} не больше пикселя"}, window_),
-                    say({"it has more of them", "пикселей в нём больше"})};
+                    say({"it has more than one pixel", "пикселей в нём больше"})};
     }
     judge_follows(e.which);
 }
@@ -517,7 +517,7 @@ void WarnockJudge::judge(const event::ClipSide& e) {
     if (is_corner(e.from) && is_corner(e.to) &&
         (e.from.x.number == e.to.x.number) != (e.from.y.number == e.to.y.number))
         return judge_side_number(e);
-    throw False{Symptom::clip, side_in_words(e), say({"that is no side of it", "такой стороны у него нет"})};
+    throw False{Symptom::clip, side_in_words(e), say({"it has no such side", "такой стороны у него нет"})};
 }
 
 std::string WarnockJudge::side_in_words(const event::ClipSide& e) const {
@@ -533,7 +533,7 @@ void WarnockJudge::judge_side_number(const event::ClipSide& e) const {
     const int by_place = (is_first ? 1 : 3) + (upright ? 1 : 0);
     if (e.side == sides_ || e.side == by_place) return;
     throw False{Symptom::clip, side_in_words(e),
-                say({"it is side {} by its place, and the polygon is clipped by side number {} now",
+                say({"by its place this is side {}, but the polygon is now clipped by side number {}",
                      "по положению это сторона {}, а по порядку отсечения — {}"},
                     by_place, sides_)};
 }

@@ -107,9 +107,9 @@ private:
     std::optional<double> nearest_of_point_;  // in PointColor
 
     std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // the side that clips now
-    int sides_ = 0;                                          // how many have clipped the polygon, with this one
-    int clipped_ = -1;                                       // the polygon that is being clipped; -1 if unknown
-    std::vector<event::Row> rows_;                           // since the last `draw`
+    int sides_ = 0;                    // how many sides have clipped the polygon, including this one
+    int clipped_ = -1;                 // the polygon that is being clipped; -1 if unknown
+    std::vector<event::Row> rows_;     // since the last `draw`
     std::map<int, int> orientations_;  // for each polygon, the sign that the program gives to our positive side
 };
 

@@ -316,7 +316,7 @@ void ZBufferJudge::judge(const event::Pixel& e) {
         throw False{Symptom::start,
                     say({"the depth stored for pixel {} is {}", "для пикселя {} хранится глубина {}"}, pixel(e.x, e.y),
                         e.stored.number),
-                    say({"it was {} when it was written last", "при последней записи она была {}"}, *before)};
+                    say({"it was {} when last written", "при последней записи она была {}"}, *before)};
     }
     judge_comparison(e.z.number, e.stored.number, e.shown);
     if (!e.shown) return;

@@ -171,7 +171,7 @@ SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, c
     const Camera camera = options.camera ? *options.camera : camera_for(sphere_around(mesh), aspect);
     if (const auto defect = defect_of(camera, scene.area)) {
         if (options.camera) throw Refused(file + ": camera: " + std::string(*defect));
-        throw Refused(file + ": no camera fits the mesh: it is a point, or out of the range of doubles");
+        throw Refused(file + ": no camera fits the mesh, which is a point or exceeds the range of doubles");
     }
     try {
         Importer importer(mesh, camera, scene);

@@ -10,7 +10,7 @@ MeshSoup read_by_ending(std::string_view bytes, std::string_view ending) {
     for (const auto& format : mesh_formats) {
         if (format.ending == ending) return format.read(bytes);
     }
-    throw Refused("not a mesh by its name: " + mesh_endings());
+    throw Refused("the name must end in that of a mesh: " + mesh_endings());
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file) {
     try {
         const std::size_t dot = file.rfind('.');
         MeshSoup soup = read_by_ending(bytes, dot == std::string::npos ? "" : lower_case(file.substr(dot + 1)));
-        if (soup.points.empty() || soup.faces.empty()) throw Refused("no faces");
+        if (soup.points.empty() || soup.faces.empty()) throw Refused("contains no faces");
         return soup;
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());

@@ -24,14 +24,14 @@ MeshSoup read_obj(std::string_view bytes) {
             for (std::string_view corner = words.word(); !corner.empty(); corner = words.word()) {
                 std::int64_t index = words.whole_number(corner.substr(0, corner.find('/')));
                 if (index < 0) index = index < -points ? 0 : points + index + 1;  // counts back from the last
-                if (index == 0) words.refuse("a face of a vertex that is not there");
+                if (index == 0) words.refuse("a face has a vertex that does not exist");
                 greatest_index = std::max(greatest_index, index);
                 face.push_back(std::size_t(index - 1));
             }
         }
     }
     if (greatest_index > std::int64_t(soup.points.size())) {
-        throw Refused("a face of vertex " + std::to_string(greatest_index) + ", of " +
+        throw Refused("a face has vertex " + std::to_string(greatest_index) + ", of " +
                       std::to_string(soup.points.size()));
     }
     return soup;

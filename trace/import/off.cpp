@@ -13,7 +13,7 @@ MeshSoup read_off(std::string_view bytes) {
     if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF") words.refuse("not of three dimensions");
     if (keyword != "OFF") words.refuse("does not start with OFF");
     std::string_view first = words.word();
-    if (first == "BINARY") words.refuse("binary OFF is not read");
+    if (first == "BINARY") words.refuse("binary OFF is not supported");
     if (first.empty() && words.next_line_with_words('#')) first = words.word();
     const std::uint64_t points = words.count(first);
     const std::uint64_t faces = words.count(words.word());
@@ -33,7 +33,7 @@ MeshSoup read_off(std::string_view bytes) {
         auto& face = soup.faces.emplace_back();
         for (std::uint64_t corner = 0; corner < corners; ++corner) {
             const std::uint64_t index = words.count(words.word());
-            if (index >= points) words.refuse("a face of a vertex that is not there");
+            if (index >= points) words.refuse("a face has a vertex that does not exist");
             face.push_back(index);
         }
     }

@@ -175,7 +175,7 @@ public:
         PlyBody body(header_.format, words_.rest());
         for (const PlyElement& element : header_.elements) read(body, element);
         if (soup_.points.empty()) throw Refused("no vertices");
-        if (greatest_index_ >= double(soup_.points.size())) throw Refused("a face of a vertex that is not there");
+        if (greatest_index_ >= double(soup_.points.size())) throw Refused("a face has a vertex that does not exist");
     }
 
     MeshSoup soup() { return std::move(soup_); }
@@ -199,7 +199,7 @@ private:
     }
 
     void read_points(PlyBody& body, const PlyElement& element) {
-        if (!soup_.points.empty()) throw Refused("the vertices are there twice");
+        if (!soup_.points.empty()) throw Refused("the vertices occur twice");
         const std::array<std::size_t, 3> places{ply_find(element, "x", "x", false), ply_find(element, "y", "y", false),
                                                 ply_find(element, "z", "z", false)};
         for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -223,7 +223,7 @@ private:
             auto& face = soup_.faces.emplace_back();
             for (const double index : item_[place]) {
                 if (!(index >= 0 && index <= std::numeric_limits<std::int32_t>::max())) {
-                    throw Refused("a face of a vertex that is not there");
+                    throw Refused("a face has a vertex that does not exist");
                 }
                 greatest_index_ = std::max(greatest_index_, index);
                 face.push_back(std::size_t(index));

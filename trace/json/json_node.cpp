@@ -54,7 +54,7 @@ public:
         auto& [container, member] = levels_.back();
         const auto [at, is_new] = container->get_ref<json::object_t&>().try_emplace(std::move(name));
         member = &*at;
-        if (!is_new) throw Misread({pointer(), "the key is there twice", JsonFault::At::second_key});
+        if (!is_new) throw Misread({pointer(), "the key occurs twice", JsonFault::At::second_key});
         return true;
     }
 

@@ -22,7 +22,7 @@ struct JsonFault {
     std::string told() const;
 };
 
-/// A document with errors. As an exception, its message is the first fault.
+/// A document with errors. When it is thrown, its message is the first fault.
 struct Misread : Refused {
     explicit Misread(JsonFault fault);
     /// At least one.
@@ -31,7 +31,7 @@ struct Misread : Refused {
     std::vector<JsonFault> faults;
 };
 
-/// Reads a document part by part. An error in one part does not keep others from being read, so that one pass finds all errors.
+/// Reads a document part by part. After an error in one part it reads the others, so one pass finds all errors.
 class Faults {
 public:
     /// The most faults that are collected.

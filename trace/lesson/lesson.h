@@ -47,7 +47,7 @@ inline constexpr std::array<std::string_view, 13> state_parts{
     "window", "corner-depths", "active-polygons", "stack", "scanline",   "active-edges", "z-buffer",
     "list",   "parts",         "visible",         "curve", "side-edges", "horizons"};
 
-/// What a lecturer needs to place a lesson in a course. A member without a value is missing in lesson.json.
+/// What a lecturer must know to place a lesson in a course. A member without a value is missing in lesson.json.
 struct Frame {
     /// A publication of the list of sources by its key, and the chapter to read; without one, all of it.
     struct Reading {

@@ -44,7 +44,7 @@ std::size_t choice(const JsonNode& node, std::string_view key, const auto& names
     if (!node.has(key)) return otherwise;
     const std::string& name = node.at(key).text();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) node.at(key).refuse(name + ": there is none");
+    if (found == names.end()) node.at(key).refuse(name + ": does not exist");
     return std::size_t(found - names.begin());
 }
 
@@ -66,7 +66,7 @@ public:
             root.expect_format(lesson_format);
             root.require_keys({"format", "runs", "pins"}, {"shows", "minutes", "prerequisites", "assumes", "sources"});
             const JsonNode runs = root.at("runs");
-            if (runs.size() == 0) runs.refuse("a lesson has a run");
+            if (runs.size() == 0) runs.refuse("a lesson needs at least one run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));
             if (root.has("shows")) read_shows(root.at("shows"));
             guarded([&] { read_frame(root); });
@@ -173,11 +173,12 @@ private:
         if (!has_run(pin.run)) node.at("run").refuse(pin.run + ": no run has this name");
         const JsonNode find = node.at("find");
         for (std::size_t i = 0; i < find.size(); ++i) pin.find.push_back(find.at(i).object());
-        if (pin.find.empty()) find.refuse("holds no event");
+        if (pin.find.empty()) find.refuse("contains no event");
         if (node.has("says")) pin.says = node.at("says").object();
         if (node.has("times")) {
             pin.times = node.at("times").whole_number(1, 1 << 30);
-            if (find.size() != 1) find.refuse("of one kind of event is counted how many there are");
+            if (find.size() != 1)
+                find.refuse("a pin with \"times\" counts events of one kind, so its path has one event");
         }
         lesson_.pins.push_back(std::move(pin));
     }

@@ -91,9 +91,9 @@ public:
         }
         story_.blocks = blocks(nodes);
         const int end = last_line(document);
-        if (story_.questions < 2) problem(end, "two questions to think about, at least, are missing");
+        if (story_.questions < 2) problem(end, "at least two questions to think about are required");
         if (!story_.has_summary) problem(end, "the summary is missing: ## " + summary_);
-        if (story_.exercises < 2) problem(end, "two exercises with answers, at least, are missing: ## " + exercises_);
+        if (story_.exercises < 2) problem(end, "at least two exercises with answers are required: ## " + exercises_);
         return std::move(story_);
     }
 
@@ -155,7 +155,7 @@ private:
             mark(node, "quote");
             return {{"is", "quote"}, {"blocks", blocks(children(node))}};
         }
-        problem(line_of(node), type == CMARK_NODE_HTML_BLOCK ? "HTML is not shown" : "a page has no such block");
+        problem(line_of(node), type == CMARK_NODE_HTML_BLOCK ? "HTML is not shown" : "a page cannot show such a block");
         return {{"is", "paragraph"}, {"text", Json::array()}};
     }
 
@@ -227,7 +227,7 @@ private:
     Json figure(cmark_node* node, const std::string& caption, const std::string& command) {
         const std::string file = output_of_command(command);
         if (!command.starts_with("vidno figure ") || file.empty() || command.find('\n') != command.npos) {
-            problem(line_of(node), "a figure holds one line: vidno figure ... -o NAME.svg");
+            problem(line_of(node), "a figure contains one line: vidno figure ... -o NAME.svg");
         }
         mark(node, "figure");
         story_.figures.push_back({line_of(node), command, file});
@@ -336,7 +336,7 @@ private:
             case CMARK_NODE_STRONG: return content.push_back({{"is", "strong"}, {"text", content_of(node)}});
             case CMARK_NODE_LINK: return content.push_back(link(node));
             case CMARK_NODE_HTML_INLINE: return problem(line_of(node), "HTML is not shown: " + literal(node));
-            default: problem(line_of(node), "a page has no such part of a line; a figure is a fence of its own");
+            default: problem(line_of(node), "a page cannot show this within a line; a figure has its own fence");
         }
     }
 

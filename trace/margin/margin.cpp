@@ -336,7 +336,7 @@ void find_bounds(std::vector<Side>& sides) {
 }  // namespace
 
 Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace polygon, int vertex) {
-    if (request.edition != Edition::corrected) throw Refused("margins are those of the corrected procedures");
+    if (request.edition != Edition::corrected) throw Refused("margins are available only for the corrected procedures");
     Collector collector(request, step, polygon, vertex);
     struct Done {};
     HeardBy sink([&](const EventView& event) {
@@ -353,7 +353,7 @@ Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace pol
     }
     const std::string name = "step " + std::to_string(step);
     if (!collector.was_reached()) throw Refused(name + ": the run has fewer");
-    if (!collector.was_found()) throw Refused(name + ": no orientation or clip sign there");
+    if (!collector.was_found()) throw Refused(name + ": has no orientation or clip sign");
     std::vector<Side> sides = sides_of(collector.signs());
     find_bounds(sides);
     Margin margin{step,

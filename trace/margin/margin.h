@@ -24,7 +24,7 @@ struct StepSign {
     PolygonPlace polygon{};
     std::optional<int> vertex{}, edge{};
     std::optional<ValuePoint> point{};
-    std::optional<int> cut{}, side{};  // 1 to 4: top, left, bottom, right, as PolygonClip goes round
+    std::optional<int> cut{}, side{};  // 1 to 4: top, left, bottom, right, in the order of PolygonClip
     Sign sign{};                       // in exact arithmetic
     Sign told{};                       // in the run
 };

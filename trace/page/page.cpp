@@ -76,7 +76,7 @@ std::string blocks_of(const PageContent& content) {
 void fill_block(std::string& page, std::string_view id, const std::string& json) {
     const std::string opening = "<script type=\"application/json\" id=\"" + std::string(id) + "\">";
     const auto block = page.find(opening);
-    if (block == page.npos) throw Refused("chart.html: is not the page of charts");
+    if (block == page.npos) throw Refused("chart.html: not the page of charts");
     const auto begin = block + opening.size();
     page.replace(begin, page.find(end_of_block, begin) - begin, as_block(json));
 }

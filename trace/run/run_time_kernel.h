@@ -133,7 +133,7 @@ private:
         std::optional<int> pixel;
     };
 
-    /// The pairs that a question compares, for operands in the numbers of a kernel.
+    /// The pairs of numbers that a question compares; the operands are numbers of a kernel.
     template <class Question>
     static std::vector<Pair> compared(const RunTimeNumbers& kernel, const Question& question, const auto&... operands) {
         std::vector<Pair> pairs;

@@ -24,7 +24,7 @@ struct NamedRun {
 struct Shows {
     std::optional<std::pair<int, int>> pixel;  // this pixel is painted wrong
     std::optional<std::pair<int, int>>
-        column;  // a curve, by its index, and a column over which it is drawn wrongly or wrongly not drawn
+        column;  // a curve, by its index, and a column over which it is wrongly drawn or wrongly omitted
     std::optional<std::pair<int, double>> place;  // the same at an x between columns
     std::string wrong;                            // a procedure with a wrong decision
     std::string fault;                            // a line of the listing at which the run faults

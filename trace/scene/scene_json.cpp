@@ -117,8 +117,8 @@ private:
     void take_default_window(const JsonNode& root) {
         const auto window = default_window(scene_.polygons);
         if (!window) {
-            root.refuse(scene_.polygons.empty() ? "\"window\" is missing, and there are no vertices to reach over"
-                                                : "\"window\" is missing, and the vertices reach too far for one");
+            root.refuse(scene_.polygons.empty() ? "\"window\" is missing, and there are no vertices to derive it from"
+                                                : "\"window\" is missing, and the vertices extend too far for one");
         }
         scene_.area = *window;
     }
@@ -162,8 +162,8 @@ private:
             if (!polygons.back() || ids.insert(polygons.back()->id).second) continue;
             faults_.attempt([&] {
                 const JsonNode polygon = node.at(i);
-                if (polygon.has("id")) polygon.at("id").refuse("the id is there twice");
-                polygon.refuse("the id is there twice: without one it is the position");
+                if (polygon.has("id")) polygon.at("id").refuse("the id occurs twice");
+                polygon.refuse("the id occurs twice; a polygon without an id gets its position");
             });
         }
         PartIds part_ids(std::move(ids));

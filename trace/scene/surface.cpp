@@ -36,7 +36,7 @@ double finite(const JsonNode& node) {
 
 double positive(const JsonNode& node) {
     const double number = finite(node);
-    if (!(number > 0)) node.refuse("not above 0");
+    if (!(number > 0)) node.refuse("not greater than 0");
     return number;
 }
 
@@ -63,7 +63,7 @@ HeightFunction read_expression(const JsonNode& node) {
 std::pair<double, double> read_range(const JsonNode& node) {
     if (node.size() != 2) node.refuse("not two numbers");
     const std::pair range(finite(node.at(0u)), finite(node.at(1u)));
-    if (range.first == range.second) node.refuse("twice the same number");
+    if (range.first == range.second) node.refuse("the two numbers are equal");
     return range;
 }
 
@@ -119,7 +119,7 @@ public:
     Function function() {
         root_.object();
         root_.expect_format(surface_format);
-        if (!has_function()) root_.refuse("no function, which could be sampled in other ways");
+        if (!has_function()) root_.refuse("has no function that could be sampled in other ways");
         expect_keys();
         read_name_and_window();
         Function function;
@@ -211,7 +211,7 @@ private:
         if (has_window_) return;
         const auto window = default_window(curves_.curves);
         if (!window) {
-            root_.refuse(curves_.curves.empty() ? "\"window\" is missing, and there are no samples to reach over"
+            root_.refuse(curves_.curves.empty() ? "\"window\" is missing, and there are no samples to derive it from"
                                                 : "\"window\" is missing, and the samples reach too far for one");
         }
         curves_.area = *window;

@@ -29,7 +29,7 @@ struct SignMap {
 
     const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
 
-    /// The number of cells for each computed answer, the first index, and each exact one.
+    /// The number of cells for each pair of answers: the first index is the computed answer, the second the exact one.
     Counts counts() const;
     int differing() const;
 };

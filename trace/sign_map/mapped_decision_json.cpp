@@ -18,7 +18,7 @@ ScenePolygon polygon_of(const JsonNode& node, auto&& vertex_of) {
     for (std::size_t i = 0; i < node.size(); ++i) polygon.vertices.push_back(vertex_of(node.at(i)));
     const auto [admission, dropped] = exact_scene::admit_polygon(polygon);
     if (admission != Admission::admitted) node.refuse(reason_of(admission));
-    if (dropped > 0) node.refuse("convex but for rounding, and a map takes only exactly convex outlines");
+    if (dropped > 0) node.refuse("not exactly convex, as a map requires");
     if (polygon.edge_on) node.refuse("seen edge-on");
     return polygon;
 }
@@ -26,7 +26,7 @@ ScenePolygon polygon_of(const JsonNode& node, auto&& vertex_of) {
 MappedOrientation read_orientation(const JsonNode& node) {
     node.require_keys({"q", "r", "pivot"});
     const auto pivot = std::find(pivot_names.begin(), pivot_names.end(), node.at("pivot").text());
-    if (pivot == pivot_names.end()) node.at("pivot").refuse("neither \"p\" nor \"q\" nor \"r\"");
+    if (pivot == pivot_names.end()) node.at("pivot").refuse("not \"p\", \"q\" or \"r\"");
     return {node.at("q").pair(), node.at("r").pair(), int(pivot - pivot_names.begin())};
 }
 

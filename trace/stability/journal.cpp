@@ -18,7 +18,7 @@ namespace {
 [[noreturn]] void refuse(const std::string& name) { throw Refused(name + ": cannot write: " + std::strerror(errno)); }
 
 int opened(const std::string& name) {
-    if (name == "-") throw Refused("-: results are kept in a file, for a run that is killed");
+    if (name == "-") throw Refused("-: results need a file, so that an interrupted campaign can continue");
     const int file = open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (file < 0) refuse(name);
     return file;
@@ -28,11 +28,11 @@ int opened(const std::string& name) {
 
 Journal::Journal(const std::string& name, std::string_view first_line) : name_(name), file_(opened(name)) {
     try {
-        if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refused(name + ": another run writes it");
+        if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refused(name + ": another run is writing it");
         text_ = read_file(name);
         expect_format_in(text_, document_format(first_line), name);
         if (!text_.starts_with(first_line) && !first_line.starts_with(text_)) {
-            throw Refused(name + ": of another campaign, or not a file of results");
+            throw Refused(name + ": belongs to another campaign, or is not a file of results");
         }
         text_.resize(text_.rfind('\n') + 1);  // empty if there is no newline
         if (ftruncate(file_, off_t(text_.size())) != 0) refuse(name);

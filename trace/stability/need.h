@@ -21,8 +21,8 @@ struct NeedReport {
     AdmittedScene least;  // with the polygons and vertices that are needed
 };
 
-/// The picture is that of the picture rule. Polygons and vertices are left out first; everything else is tested on the remaining scene,
-/// one thing at a time. `progress` is called at each picture.
+/// The picture is that of the picture rule. The function first leaves out polygons and vertices, and then tests
+/// everything else on the remaining scene, one thing at a time. `progress` is called at each picture.
 NeedReport needs_of(const AdmittedScene& scene, const std::function<void()>& progress);
 
 }  // namespace vidno

@@ -198,7 +198,7 @@ void Results::add(const Block& block, const Tallies& tallies) { finished_.emplac
 void Results::add(const std::string& text, const std::string& file) {
     LineReader lines = LineReader::of_text(text);
     std::string line;
-    if (!lines.next(line) || line + "\n" != header()) throw Refused(file + ": of another campaign");
+    if (!lines.next(line) || line + "\n" != header()) throw Refused(file + ": belongs to another campaign");
     for (int number = 2; lines.next(line) && !lines.cut(); ++number) {
         read_line(line, file + ":" + std::to_string(number), [&](const Json& object) -> std::string {
             const auto place = object.at("block").get<std::uint64_t>();

@@ -4,7 +4,7 @@
 /// anywhere and in any order. They run in blocks, and tallies add.
 ///
 /// A file of results, `vidno-stability/1`, is the campaign in its first line and a finished block in each other one.
-/// A last line that was cut short by a kill does not count.
+/// A last line does not count if it was cut short when the run was killed.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace vidno {
 
 struct Campaign {
     std::uint64_t seed = 1;
-    std::uint64_t count = 100;  // trials of an experiment in each family; fewer of expensive ones
+    std::uint64_t count = 100;  // trials of an experiment in each family; expensive experiments have fewer
     std::vector<std::string> families, kernels, methods;
     bool operator==(const Campaign&) const = default;
 };

@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-/// The first trial of a campaign that moves coordinates and after which the method paints a pixel, or draws a column of a curve, wrong.
+/// Finds the first trial of a campaign that moves coordinates so that the method paints a wrong pixel or draws a wrong column of a curve.
 /// It is shrunk and returned as the text of a file `vidno-failure/1`; none if there is no such trial. `method` and `kernel` are names in
 /// the campaign; `progress` is called at each scene that is run.
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const std::string& method,

@@ -30,7 +30,7 @@ public:
     std::optional<int> curve() const { return curve_; }                        // the current one
     const std::optional<SegmentColumns>& segment() const { return segment_; }  // of that curve
 
-    // From level `polygons`; before that there are no horizons, edges and columns.
+    // From level `polygons` on; below it there are no horizons, edges and columns.
     const Heights& upper() const { return upper_; }
     const Heights& lower() const { return lower_; }
     const std::optional<SampleTold>& left_edge() const { return left_edge_; }

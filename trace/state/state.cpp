@@ -39,7 +39,7 @@ void State::take(const event::Depth& e) {
 
 void State::take(const event::Push& e) {
     const bool is_first = e.at == Line::W3 || e.at == Line::WS1 || e.at == Line::WF1;
-    if (is_first != e.apl.has_value()) throw Impossible{"the first window has a list, and no other"};
+    if (is_first != e.apl.has_value()) throw Impossible{"only the first window has a list"};
     if (choice_of(header_->method).cuts_anywhere) expect_in_area(e.window);
     std::shared_ptr<Apl> apl;
     if (e.apl) {
@@ -128,7 +128,7 @@ void State::take(const event::Count& e) {
 }
 
 void State::take(const event::Nearer& e) {
-    if (!has_corners_ || depths_.size() != 4) throw Impossible{"not four depths before"};
+    if (!has_corners_ || depths_.size() != 4) throw Impossible{"not preceded by four depths"};
     for (const Corner corner : e.corners) (*corners_)[std::size_t(corner)] = depths_[std::size_t(corner)];
     k_ = e.k;
     depths_.clear();
@@ -261,7 +261,7 @@ void State::take(const event::Scanline& e) {
 void State::take(const event::AelAdd& e) {
     const bool is_there =
         std::any_of(ael_.begin(), ael_.end(), [&](const auto& entry) { return entry.edge == e.edge; });
-    if (is_there) throw Impossible{"an edge that is in AEL"};
+    if (is_there) throw Impossible{"an edge that is already in AEL"};
     ael_.push_back({e.edge, e.x, e.z, e.until, e.dx, e.dz});
 }
 
@@ -284,7 +284,7 @@ void State::take(const event::AelSort& e) {
     for (const int edge : e.edges) sorted.push_back(active_edge(edge));
     const std::set<int> edges(e.edges.begin(), e.edges.end());
     if (edges.size() != ael_.size() || sorted.size() != ael_.size()) {
-        throw Impossible{"an order of other entries than AEL has"};
+        throw Impossible{"an order of entries that are not those of AEL"};
     }
     ael_ = std::move(sorted);
     next_end_ = e.next;

@@ -83,7 +83,7 @@ describe('a broken line of the listing', () => {
     const { page, faults } = await openRun(warnock);
     await breakLine(page, 'PW1', 'printed:x-w2');
     // All depths are above 0, so every window is decided as before. The corners start at 0 in step 6.
-    expect(await result(page)).toBe('The picture stays the same; steps differ.');
+    expect(await result(page)).toBe('The picture stays the same; only the steps differ.');
     await expect.poll(() => stepsOf(page)).toEqual([6, 6]);
     expect(await sentences(page)).toEqual(['PW1', 'PW1']);
     // Another line of the right run is broken from here.

@@ -94,7 +94,7 @@ describe('the chart of surfaces', () => {
     expect(heard.size).toBe(count);
     // Two curves over nine columns, each straight: two samples suffice.
     expect([...heard][0]).toBe(
-      'float, 2 samples a curve; corrected; Samples: 4; Wrong columns: 0% (0 of 18)',
+      'float, 2 samples per curve; corrected; Samples: 4; Wrong columns: 0% (0 of 18)',
     );
     expect(faults).toEqual([]);
   });

@@ -93,7 +93,7 @@ inline std::optional<std::string> not_convex(const std::vector<ScenePolygon>& po
                 if (other == face && side != CGAL::ZERO) return name + " is not planar to the last digit";
                 if (side == CGAL::NEGATIVE) {
                     return name + " has a vertex of polygon " + polygons[other].id +
-                           " before it: its body is not convex, or it goes round the other way";
+                           " in front of it: its body is not convex, or its vertices are in the opposite order";
                 }
             }
         }
@@ -111,7 +111,8 @@ inline std::optional<std::string> not_closed_convex_bodies(const Scene& scene) {
     const auto& polygons = scene.polygons;
     const Edges edges = edges_of(polygons);
     if (edges.repeating) {
-        return "polygon " + polygons[*edges.repeating].id + " goes along an edge the way another one does";
+        return "polygon " + polygons[*edges.repeating].id +
+               " goes along an edge in the same direction as another polygon";
     }
     std::vector<std::size_t> first_of_body(
         polygons.size());  // a polygon of the same body, up to the one that is its own
@@ -124,7 +125,7 @@ inline std::optional<std::string> not_closed_convex_bodies(const Scene& scene) {
     for (const auto& [edge, polygon] : edges.polygons) {
         const auto back = edges.polygons.find({edge.second, edge.first});
         if (back == edges.polygons.end() || back->second == polygon) {
-            return "polygon " + polygons[polygon].id + " has an edge that no other one shares";
+            return "polygon " + polygons[polygon].id + " has an edge that no other polygon shares";
         }
         first_of_body[body_of(polygon)] = body_of(back->second);
     }

@@ -1,7 +1,7 @@
 /// Filtered: decisions that are always right, at nearly the cost of doubles.
 ///
-/// The doubles decide where the bound on their error allows it. Elsewhere exact arithmetic decides on what they represent: a
-/// polygon's plane at a point, its edge at a row or at a side of a window. No rounded value decides, so errors do not
+/// The doubles decide where the bound on their error allows it. Elsewhere exact arithmetic decides, from what the doubles stand
+/// for: a polygon's plane at a point, its edge at a row or at a side of a window. No rounded value decides, so errors do not
 /// accumulate. A trace shows the doubles.
 ///
 /// Source  On the bound of the cross product: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust

@@ -159,8 +159,8 @@ private:
     /// The slope of one plane's depth relative to another's.
     static Place slope_over(const Planes& p, const Planes& q) { return {q.a / q.c - p.a / p.c, q.b / q.c - p.b / p.c}; }
 
-    // Formulas are generic in the number type, so that the `sign_of` of a kernel whose numbers have bounds can evaluate them with the
-    // bounds first.
+    // Formulas are generic in the number type. So a kernel whose numbers have bounds can evaluate them with the bounds
+    // first, in `sign_of`.
 
     static constexpr auto cross = []<class T>(const T& a, const T& b, const T& c, const T& d) -> T {
         return a * d - b * c;

@@ -1,4 +1,4 @@
-/// What `npx vidno` does not have, since libraries or programs outside Node do it. Each refusal says so.
+/// What `npx vidno` lacks, since it needs libraries or programs outside Node. Each refusal says so.
 #include "chart/chart_input.h"
 #include "figure/writers.h"
 #include "import/import.h"
@@ -15,7 +15,7 @@ namespace vidno {
 namespace {
 
 Refused only_native(const std::string& what) {
-    return Refused(what + ": not with vidno for Node; the program for Debian does it");
+    return Refused(what + ": not available in vidno for Node; use the program for Debian");
 }
 
 }  // namespace

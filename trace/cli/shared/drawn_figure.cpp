@@ -63,14 +63,15 @@ std::vector<std::uint64_t> steps_of(const std::string& text) {
     const auto ends = split(text, "..");
     if (ends.size() == 1) {
         for (const auto& each : split(text, ",")) steps.push_back(whole_number(each, option));
-        if (!std::is_sorted(steps.begin(), steps.end(), std::less_equal<>())) refuse(option, "steps must rise");
+        if (!std::is_sorted(steps.begin(), steps.end(), std::less_equal<>()))
+            refuse(option, "the steps must be in increasing order");
     } else {
         const auto last = split(ends[1], ":");
         if (ends.size() > 2 || last.size() > 2) refuse(option, "not A..B or A..B:BY");
         const std::uint64_t first = whole_number(ends[0], option);
         const std::uint64_t end = whole_number(last[0], option);
         const std::uint64_t by = last.size() == 2 ? whole_number(last[1], option) : 1;
-        if (by == 0 || first > end) refuse(option, "no step lies there");
+        if (by == 0 || first > end) refuse(option, "this range contains no step");
         if ((end - first) / by >= most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
         for (std::uint64_t step = first; step <= end; step += by) steps.push_back(step);
     }
@@ -99,7 +100,7 @@ figures::Pixel pixel_of(const std::string& text, const Area& area) {
         return !part.empty() && error == std::errc() && end == part.data() + part.size();
     };
     if (parts.size() != 2 || !read(parts[0], pixel.x) || !read(parts[1], pixel.y)) refuse(option, "not X,Y");
-    if (!area.contains(pixel.x, pixel.y)) refuse(option, "no pixel of the area");
+    if (!area.contains(pixel.x, pixel.y)) refuse(option, "not a pixel of the area");
     return pixel;
 }
 
@@ -143,10 +144,10 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
 std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
                                                 const Area& area) {
     if (!drawing.shows(figures::Part::history)) {
-        if (!options.pixel.empty()) refuse("--pixel", "it needs --show history");
+        if (!options.pixel.empty()) refuse("--pixel", "needs --show history");
         return std::nullopt;
     }
-    if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
+    if (options.pixel.empty()) refuse("--show history", "needs --pixel X,Y");
     return figures::PixelHistory(pixel_of(options.pixel, area));
 }
 
@@ -234,7 +235,7 @@ ToldSteps failure_steps(const FigureOptions& options) {
 ToldSteps told_steps(const FigureOptions& options) {
     const bool is_lesson = std::filesystem::is_directory(options.input);
     if (is_lesson != !options.pin.empty())
-        refuse(options.input, "--pin goes with the folder of a lesson, and is needed there");
+        refuse(options.input, "--pin is required for the folder of a lesson, and only there");
     if (is_lesson) return pinned_step(options);
     if (options.input.ends_with(".json")) return failure_steps(options);
     LineReader lines(options.input);
@@ -251,7 +252,7 @@ void expect_film(const FigureOptions& options) {
     if (!is_svg(output) && !output.ends_with(".gif") && !output.ends_with(".mp4")) {
         refuse(output, "a film is .svg, .gif or .mp4");
     }
-    if (options.steps.empty()) refuse("--film", "of which steps? --steps A..B");
+    if (options.steps.empty()) refuse("--film", "needs --steps A..B");
     if (options.beamer) refuse("--film", "not together with --beamer");
 }
 
@@ -277,7 +278,7 @@ std::string film(const std::vector<figures::Drawing>& frames, const About& about
 
 std::string drawn_trace(const FigureOptions& options) {
     if (options.film) expect_film(options);
-    if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "it makes a .tex file");
+    if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "writes only .tex files");
     auto [lines, steps] = told_steps(options);
 
     figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
@@ -304,7 +305,7 @@ std::string drawn_trace(const FigureOptions& options) {
 
 /// A drawing without steps has no parts to choose either, and no TikZ.
 void expect_no_steps(const FigureOptions& options) {
-    if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
+    if (options.step || !options.steps.empty()) refuse(options.input, "maps and charts have no steps");
     if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
     if (options.film) refuse(options.input, "--film is for traces");
     if (format_of(options.output) == Format::tikz) refuse(options.output, "maps and charts are .svg, .pdf or .png");
@@ -326,7 +327,7 @@ std::string sized(std::string svg, double width) {
     double columns = 0, rows = 0;
     const auto at = svg.find(" width=\"");
     if (at == svg.npos || std::sscanf(svg.c_str() + at, " width=\"%lf\" height=\"%lf\"", &columns, &rows) != 2) {
-        throw Refused("gnuplot: another SVG than expected");
+        throw Refused("gnuplot: unexpected SVG");
     }
     const auto end = svg.find('"', svg.find(" height=\"", at) + 9) + 1;
     return svg.replace(
@@ -356,31 +357,32 @@ void add_figure_options(CLI::App& command, FigureOptions& options) {
     command
         .add_option(
             "TRACE|LESSON|FAILURE|DECISION|CHART", options.input,
-            "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or, .json, a failure, a "
-            "decision to be mapped or a chart")
+            "A trace (.jsonl, .jsonl.gz, - for standard input), the folder of a lesson, or a .json file: a failure, a "
+            "decision to map, or a chart")
         ->required();
     auto* step =
-        command.add_option("--step", options.step, "The number of events [all; for a failure, where it is seen]");
+        command.add_option("--step", options.step, "The step to draw [the last; for a failure, the one that shows it]");
     auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
     command.add_option("--pin", options.pin, "For a lesson: the step of this pin")->excludes(step)->excludes(steps);
     steps->excludes(step);
     command
-        .add_option(
-            "--show", options.show,
-            "Any of picture, windows (for Z-buffer the scanline, for curves the horizons, for weiler-atherton the "
-            "lists), list (APL or AEL, or its list), listing, history")
+        .add_option("--show", options.show,
+                    "Any of picture, windows (the scanline of the Z-buffer, the horizons of curves, the lists of "
+                    "weiler-atherton), list (the APL, the AEL, or the current list), listing, history")
         ->capture_default_str();
     command.add_option("--pixel", options.pixel, "X,Y: the pixel whose history is shown");
-    command.add_option("--language", options.language, "The language of its words")
+    command.add_option("--language", options.language, "The language of the figure")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.add_option("--width", options.width, "In cm or mm [8cm; for a film strip 17cm, for a slide 14cm]");
-    command.add_option("--kernel", options.kernel, "For a map: which arithmetic decides")
+    command.add_option("--kernel", options.kernel, "For a map: the arithmetic")
         ->check(a_kernel())
         ->capture_default_str();
     add_axes(command, options.axes, "For a chart: the horizontal axis [time]");
-    command.add_option("--dpi", options.dots_an_inch, "For .png")->check(CLI::Range(30, 2400))->capture_default_str();
-    command.add_flag("--greyscale", options.greyscale, "No colours, and darker textures");
+    command.add_option("--dpi", options.dots_an_inch, "For .png: dots per inch")
+        ->check(CLI::Range(30, 2400))
+        ->capture_default_str();
+    command.add_flag("--greyscale", options.greyscale, "Darker textures instead of colours");
     command.add_flag("--beamer", options.beamer, "A slide with one overlay per step, .tex");
     command.add_flag("--film", options.film, "A film of --steps A..B, .svg; .gif and .mp4 need ffmpeg");
     command.add_option("--rate", options.rate, "For a film: steps per second")
@@ -408,7 +410,8 @@ std::string drawn_figure(const FigureOptions& options) {
     if (!options.input.ends_with(".json")) return drawn_trace(options);
     const std::string text = read_file(options.input);
     if (is_failure(text)) return drawn_trace(options);
-    if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
+    if (is_surface(text))
+        throw Refused(options.input + ": a surface; vidno render draws surfaces, and vidno figure draws their traces");
     const bool is_chart = are_of_one_kind(document_format(text), chart_format);
     return (is_chart ? drawn_chart : drawn_map)(options, text);
 }

@@ -29,8 +29,8 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
                      const std::vector<std::string>& methods) {
     command.add_option("SCENE", options.scene, scene)->required();
     command.add_option("--method", options.method, method)->check(CLI::IsMember(methods));
-    command.add_option("--kernel", options.kernel, "Which arithmetic decides [double]")->check(a_kernel());
-    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods [corrected]")
+    command.add_option("--kernel", options.kernel, "The arithmetic [double]")->check(a_kernel());
+    command.add_option("--edition", options.edition, "The text of the procedures; see vidno methods [corrected]")
         ->check(an_edition())
         ->type_name("EDITION");
 }
@@ -40,7 +40,7 @@ void add_any_run_options(CLI::App& command, RunOptions& options) {
         command, options,
         "A scene file, vidno-scene/1 or vidno-surface/1; or a failure, vidno-failure/1, whose failing run is "
         "the default; - for standard input",
-        "Which algorithm [warnock; for a surface floating-horizon]", all_methods());
+        "The algorithm [warnock; for a surface floating-horizon]", all_methods());
 }
 
 namespace {
@@ -60,7 +60,7 @@ Refused refused_text(Edition edition, auto&& concerns) {
         if (methods.empty()) (text += before) += floating_horizon_method;
         return Refused(text + " alone");
     }
-    return Refused("--edition " + name_of(edition) + ": no text of this method");
+    return Refused("--edition " + name_of(edition) + ": this method has no such text");
 }
 
 /// Refuses an edition that the kernel does not run, for any method.
@@ -102,7 +102,7 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     }
     if (!has_text(edition, method)) {
         if (!is_of_course(method)) {
-            const std::string_view mistakes = is_family(method) ? ", and mistakes of this method alone" : "";
+            const std::string_view mistakes = is_family(method) ? " and the mistakes of this method" : "";
             throw Refused(named_method + ": only --edition corrected" + std::string(mistakes));
         }
         throw refused_text(edition, [method](const auto& methods) {
@@ -118,7 +118,7 @@ void expect_floating_horizon_run(const NamedKernel& kernel, Edition edition) {
         throw refused_text(edition, [](const auto& methods) { return methods.empty(); });
     }
     expect_text(kernel, edition);
-    throw Refused("--kernel " + kernel.name() + ": for polygons alone");
+    throw Refused("--kernel " + kernel.name() + ": only for polygons");
 }
 
 void expect_admitted(Method method, const Scene& scene, const std::string& file) {

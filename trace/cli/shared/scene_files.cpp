@@ -65,7 +65,7 @@ void say(const Failure& failure, const std::string& file) {
 AdmittedScene scene_from(const std::string& file) {
     AnyScene any = any_scene_from(file);
     if (auto* scene = std::get_if<AdmittedScene>(&any)) return std::move(*scene);
-    throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
+    throw Refused(file + ": a surface, but this command takes scenes of polygons, vidno-scene/1");
 }
 
 AnyScene any_scene_from(const std::string& file) { return read(read_file(file), file).scene; }

@@ -22,7 +22,7 @@ AnyScene any_scene_for(RunOptions& options, bool says_step = false);
 /// Describes a failure on standard error, without its step. Refuses one that has no scene.
 void say(const Failure& failure, const std::string& file);
 
-/// The scene of a file for a chart, which samples a surface in several ways, so it must be a function.
+/// The scene of a file for a chart. A surface must be given as a function, because the chart samples it in several ways.
 std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file);
 
 /// The scene as the kernel runs it: snapped for `grid`, with a note on standard error; otherwise unchanged.

@@ -65,7 +65,7 @@ describe('the peak between two samples', () => {
 
   it('is missed by 9 samples per curve, but not by 10 adaptive ones in all', () => {
     expect(told('double', 9)).toEqual([
-      'double, 9 samples a curve',
+      'double, 9 samples per curve',
       'corrected',
       'Samples: 27',
       'Height missed: 6 px',
@@ -131,7 +131,7 @@ describe('surfaces together', () => {
     const all = shown({ cost: 'samples' });
     // 33 columns allow 17 and 33 samples, 9 columns do not.
     expect(missingText(all)).toBe(
-      'Not shown because some surfaces were not sampled that way: 17 samples a curve, 33 samples a curve.',
+      'Not shown because some surfaces were not sampled that way: 17 samples per curve, 33 samples per curve.',
     );
     expect(sizeText(all)).toBeNull();
     expect(runName(curveRunOf({}), all)).toBe('double, as given');

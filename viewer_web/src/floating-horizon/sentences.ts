@@ -161,11 +161,11 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
     },
   },
   raise: {
-    en: ({ x, y }, { short }) => `Over column ${short(x)} the upper horizon comes to ${short(y)}.`,
+    en: ({ x, y }, { short }) => `Over column ${short(x)} the upper horizon moves to ${short(y)}.`,
     ru: ({ x, y }, { short }) => `Над столбцом ${short(x)} верхний горизонт теперь на ${short(y)}.`,
   },
   lower: {
-    en: ({ x, y }, { short }) => `Over column ${short(x)} the lower horizon comes to ${short(y)}.`,
+    en: ({ x, y }, { short }) => `Over column ${short(x)} the lower horizon moves to ${short(y)}.`,
     ru: ({ x, y }, { short }) => `Над столбцом ${short(x)} нижний горизонт теперь на ${short(y)}.`,
   },
   step: {

@@ -28,9 +28,9 @@ it.each([
   ['scene: /polygons/7: twice', '/polygons/7', 'twice'],
   ['scene: polygon my face has no area', 'my face', 'has no area'],
   [
-    'scene: polygon A has a vertex of polygon B before it: its body is not convex, or it goes round the other way',
+    'scene: polygon A has a vertex of polygon B in front of it: its body is not convex, or its vertices are in the opposite order',
     'A',
-    'has a vertex of another one before it: its body is not convex, or it goes round the other way',
+    'has a vertex of another one in front of it: its body is not convex, or its vertices are in the opposite order',
   ],
 ])('%s', (message, polygon, reason) => {
   expect(refusalOf(message, drawn)).toEqual({ polygon, reason });

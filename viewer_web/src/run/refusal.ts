@@ -39,7 +39,7 @@ export function inWordsOf({ line, column, place, reason }: Fault, say: SceneText
 
 /** The reason without the name of another polygon. */
 const impersonal = (reason: string): string =>
-  reason.replace(/ of polygon .* before it/su, ' of another one before it');
+  reason.replace(/ of polygon .* in front of it/su, ' of another one in front of it');
 
 /**
  * The library's first reason for refusing a sketch, "scene: line 1, column 60: /polygons/0/vertices: not convex", or the

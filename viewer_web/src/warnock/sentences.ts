@@ -410,8 +410,8 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   back_face: {
     en: ({ polygon, away }) =>
       away
-        ? `${polygon} goes round clockwise: it looks away from the viewer and does not take part.`
-        : `${polygon} goes round counter-clockwise: it looks towards the viewer and takes part.`,
+        ? `${polygon} runs clockwise: it looks away from the viewer and does not take part.`
+        : `${polygon} runs counter-clockwise: it looks towards the viewer and takes part.`,
     ru: ({ polygon, away }) =>
       away
         ? `${polygon} обходится по часовой стрелке: он отвёрнут от наблюдателя и не участвует.`
@@ -425,7 +425,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   },
   join: {
     en: ({ polygon, list, level }) =>
-      `${polygon} joins the ${lists.en[list]} polygons at level ${level}: it is so for all parts of this window.`,
+      `${polygon} joins the ${lists.en[list]} polygons at level ${level}: this relation holds for all parts of this window.`,
     ru: ({ polygon, list, level }) =>
       `${polygon} входит в список ${lists.ru[list]}, уровень ${level}: так будет и для всех частей этого окна.`,
   },
@@ -519,7 +519,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, octants }, { signed }) =>
       octants === 0
         ? `The turns of ${polygon} cancel: the sum is 0 octants, so it lies outside the window.`
-        : `${polygon} goes round the window: the sum is ${signed(octants)} octants, so it surrounds the window.`,
+        : `${polygon} runs around the window: the sum is ${signed(octants)} octants, so it surrounds the window.`,
     ru: ({ polygon, octants }, { signed }) =>
       octants === 0
         ? `Повороты ${polygon} уничтожаются: сумма 0 октантов, он лежит вне окна.`
@@ -529,7 +529,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon }) =>
       polygon === undefined
         ? 'No surrounding polygon is known to hide all others.'
-        : `${polygon} surrounds the window and lies before all others: it hides them.`,
+        : `${polygon} surrounds the window and lies in front of all others: it hides them.`,
     ru: ({ polygon }) =>
       polygon === undefined
         ? 'Неизвестно, закрывает ли охватывающий многоугольник все остальные.'

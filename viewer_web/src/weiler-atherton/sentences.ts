@@ -32,7 +32,7 @@ const lies = {
 };
 
 const openOutline = {
-  en: 'Rounding leaves an outline open here. The run drops it and goes on.',
+  en: 'Rounding leaves an outline open here. The run drops it and continues.',
   ru: 'Из-за округления контур здесь не замыкается. Он отбрасывается, и прогон идёт дальше.',
 };
 
@@ -109,7 +109,7 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
         return `What lies outside the clip polygon is handled separately: ${n} on the stack, ${ids}.`;
       }
       const last = all.at(-1)?.[0] ?? '';
-      return `The clip polygon ${last} is not the nearest here: what is nearer goes on the stack, and ${last} as its ground, ${ids}.`;
+      return `The clip polygon ${last} is not the nearest here: what is nearer goes on the stack with ${last} as its ground, ${ids}.`;
     },
     ru: ({ at, pieces: all }, words) => {
       const ids = words.ids(all.map(([id]) => id));
@@ -184,8 +184,8 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
           : `${where}: equal, and ${polygon} comes first in the scene, so it is nearer.`;
       }
       return behind
-        ? `${where}: less, so ${polygon} is behind, here as all over the piece.`
-        : `${where}: greater, so ${polygon} is nearer, here as all over the piece.`;
+        ? `${where}: less, so ${polygon} is behind, here and on the whole piece.`
+        : `${where}: greater, so ${polygon} is nearer, here and on the whole piece.`;
     },
     ru: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
       const [own, other] = shortApart(z, clipZ);

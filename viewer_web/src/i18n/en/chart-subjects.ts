@@ -33,7 +33,7 @@ export const subjects: ChartTexts['subjects'] = {
         `Cheaper runs: ${count}, all of them wrong. The least wrong is “${leastWrong}”, in ${share} of the columns.`,
       safe: 'It decides as exact arithmetic does, on every surface.',
       safer: (run, times) =>
-        `Its arithmetic rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides right is “${run}”, at ${times} the cost.`,
+        `Its arithmetic rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}”, at ${times} the cost.`,
       others: (runs) => `The cheapest right runs with other samples, compared with it: ${runs}.`,
       neverRight: (samplings) => `Not right under any kernel: ${samplings}.`,
     },

@@ -39,7 +39,7 @@ export const chart: ChartTexts = {
     depth: (value) => `Z-buffer of ${value} bits`,
     grid: (value) => `sub-pixel grid of ${value} bits`,
     window: (value) => `smallest window: ${value} px`,
-    samples: (value) => `${value} samples a curve`,
+    samples: (value) => `${value} samples per curve`,
     tolerance: (value) => `tolerance ${value} px`,
   },
   samplings: {
@@ -61,7 +61,7 @@ export const chart: ChartTexts = {
   rightPicture: (share) => `the right picture itself: ${share}`,
   plot: (cost, error) => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
-  front: 'The front: no other run is as cheap and as right',
+  front: 'The front: no other run is both as cheap and as right',
   frontMark: 'the front',
   run: 'Run',
   whichRun: 'Which run to choose',
@@ -93,12 +93,12 @@ export const chart: ChartTexts = {
     replay: 'Replay this run',
     compare: 'Compare with the exact run',
     unlinked: {
-      window: 'The page has no run that stops at larger windows.',
+      window: 'The page cannot run the method with a larger smallest window.',
       large: 'The file is too large for a link: open it on the page.',
     },
   },
   empty: 'No chart is open.',
-  howTo: 'This command writes one, with every way to run these scenes:',
+  howTo: 'This command writes a chart of every way to run these scenes:',
   unreadable: (name, where, reason) =>
     `${name} cannot be read as a chart. ${where === '' ? '' : `${where}: `}${reason}.`,
   broken: (name) => `${name} could not be read.`,

@@ -32,7 +32,7 @@ export const curves: CurveTexts = {
     at: (x) => `Column ${x}`,
     hint: (key) =>
       `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
-    how: 'The left and right arrow keys move to another column, with Shift by ten. Enter shows the history of the column. Escape leaves.',
+    how: 'The left and right arrow keys move by one column, with Shift by ten. Enter shows the history of the column. Escape leaves the picture.',
     forget: 'Forget the column',
     entries: 'Everything that happened over the column',
     outcomes: { pass: 'visible', fail: 'hidden', paint: 'drawn', wrong: 'wrong', note: '' },
@@ -48,14 +48,14 @@ export const curves: CurveTexts = {
     language:
       'x, z, pi; + − * / ^, comparisons, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
     sampled: (curves, samples) =>
-      `${curves} curves with ${samples} samples, given as numbers. Moving a sample replaces a function by numbers.`,
+      `${curves} curves with ${samples} samples, given as numbers. Moving a sample replaces the function by numbers.`,
     give: 'Give a function instead',
     ends: { x: ['x, left', 'x, right'], z: ['z, nearest', 'z, farthest'] },
     curves: 'curves',
     samples: 'samples',
     tolerance: 'tolerance',
     toleranceHint:
-      'In pixels: where a curve is farther than this from the line between two samples, one more sample is put halfway. Empty: no more samples',
+      'In pixels: where a curve is farther than this from the line between two samples, one more sample is added halfway. Empty: no more samples',
     up: 'pixels up',
     ways: {
       origin: 'Left end of the nearest curve, at y = 0',

@@ -31,7 +31,7 @@ export const exact: ExactTexts = {
   },
   right: 'Right.',
   wrong: 'Wrong.',
-  undefined: 'After a wrong branch there is no right answer here.',
+  undefined: 'The run took a wrong branch before, so there is no right answer here.',
   unchecked: 'Not checked: this run was not compared with exact arithmetic.',
   notChecked: 'not checked',
   checking: 'Checking every decision of this run…',
@@ -44,7 +44,7 @@ export const exact: ExactTexts = {
     otherRun:
       'Not checked: the library runs this scene differently. Another program, or another version, made this trace.',
     notHere: 'Not checked: the library does not run this text with these numbers.',
-    tooLong: 'Not checked: with its checks the run would be too long for this page.',
+    tooLong: 'Not checked: the checked run would be too long for this page.',
     failed: 'Not checked: the library could not run this scene again.',
   },
   certain: 'With these numbers every decision is exact.',
@@ -84,7 +84,7 @@ export const exact: ExactTexts = {
   lens: (at) => `The same decision around ${at}`,
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:
-    'This decision has no map. Signs and comparisons of two polygons’ depths have one, but not with every kind of number.',
+    'This decision has no map. Only signs and comparisons of two polygons’ depths have one, and not with every kind of number.',
   drawing: 'Computing at each neighbour…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,

@@ -8,11 +8,11 @@ export const family: FamilyTexts = {
   methods: prefixed('Warnock: ', names),
   rules: methodRules('en'),
   purposes: {
-    Relation: 'how does the polygon lie relative to the window?',
+    Relation: 'what is the relation of the polygon to the window?',
     TrialFunction: 'does an edge of the polygon meet the window?',
     RayCrossings: 'how often does the outline cross a ray from the centre of the window?',
-    OctantAngles: 'how far does the outline go round the window?',
-    HidingPolygon: 'does a surrounding polygon lie before all others?',
+    OctantAngles: 'how far does the outline turn around the window?',
+    HidingPolygon: 'does a surrounding polygon lie in front of all others?',
   },
   panel: {
     level: 'level',

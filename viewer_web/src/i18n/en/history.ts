@@ -17,7 +17,7 @@ export const history: HistoryTexts = {
   },
   hint: (key) =>
     `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,
-  how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
+  how: 'Arrow keys move by one pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves the picture.',
   forget: 'Forget the pixel',
   entries: 'Everything that concerned the pixel',
   outcomes: { pass: 'yes', fail: 'no', paint: 'painted', wrong: 'wrong', note: '' },

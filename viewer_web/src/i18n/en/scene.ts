@@ -4,7 +4,7 @@ import { short } from '../../language/words.js';
 export const scene: SceneTexts = {
   scene: 'Scene',
   edit: 'Edit',
-  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see “Keys”.',
+  how: 'Drag a corner to move it, or an edge to move the whole polygon. Keys move, raise, add and remove corners: see “Keys”.',
   run: 'Run',
   method: 'method',
   kernel: 'numbers',
@@ -16,7 +16,7 @@ export const scene: SceneTexts = {
   redo: 'Redo',
   draw: 'Draw a polygon',
   drawing:
-    'Click the corners. The first corner again, or Enter, ends; Backspace takes one back; Esc gives up.',
+    'Click the corners. Click the first corner again or press Enter to finish, Backspace to take back a corner, Esc to cancel.',
   drawHere: 'Place for a corner: arrow keys move it, Space sets it',
   clear: 'New',
   clearHint: 'Removes all polygons',
@@ -26,10 +26,10 @@ export const scene: SceneTexts = {
   linkHint: 'Copies a link with the scene, this way to run it, and this step',
   linkCopied: 'Link copied.',
   page: 'Save page',
-  pageHint: 'Saves this page as a file to send: with what is shown, this step and the bookmarks',
+  pageHint: 'Saves this page as a file to send, with the run shown, this step and the bookmarks',
   pageSaved: 'Saved as a page that opens here. Send the file.',
   discard: {
-    title: (name) => `Discard the changes${name === '' ? '' : ` of “${name}”`}?`,
+    title: (name) => `Discard the changes${name === '' ? '' : ` to “${name}”`}?`,
     text: 'You have changed the scene, and something else is about to take its place.',
     stay: 'Stay here',
     save: 'Save the scene and go on',
@@ -60,10 +60,10 @@ export const scene: SceneTexts = {
   reasons: {
     'empty, or with signs that no formula has':
       'empty, or with a character that formulas do not have',
-    'has an edge that no other one shares':
-      'has an edge that no other one shares: this method takes closed convex bodies',
-    'goes along an edge the way another one does':
-      'goes along an edge the way another one does: this method takes closed convex bodies',
+    'has an edge that no other polygon shares':
+      'has an edge that no other polygon shares: this method takes closed convex bodies',
+    'goes along an edge in the same direction as another polygon':
+      'goes along an edge in the same direction as another polygon: this method takes closed convex bodies',
   },
   more: (n) => `and ${n} more; the first are shown`,
 };

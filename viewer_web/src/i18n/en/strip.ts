@@ -44,5 +44,5 @@ export const strip: StripTexts = {
     how: 'Drag along this bar to zoom in. On the strip the wheel, two fingers, + and − zoom; 0 shows the whole run.',
   },
   columns:
-    'One column of dots is many steps: each colour is as tall as its share of them; pale, the greatest level; dark, the mean. No mark is left out.',
+    'One column of dots stands for many steps: each colour is as tall as its share of them. The greatest level is pale, the mean level is dark. No mark is left out.',
 };

@@ -8,9 +8,9 @@ const count = (n: number, forms: PluralForms): string => counted(n, forms, rules
 export const words: WordTexts = {
   explain: 'What these words mean',
   editions: {
-    corrected: 'The procedures of the course text, with its printing errors put right.',
+    corrected: 'The procedures of the course text, with its printing errors corrected.',
     printed: 'The procedures exactly as the course text prints them, errors included.',
-    defects: 'The corrected procedures with single printing errors of the course text put back.',
+    defects: 'The corrected procedures with some printing errors of the course text restored.',
     mistake: 'The corrected procedures with one usual mistake in them.',
   },
   details: {

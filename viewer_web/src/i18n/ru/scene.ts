@@ -66,8 +66,8 @@ export const scene: SceneTexts = {
     [words.older.en]: words.older.ru,
     'not valid JSON': 'это не JSON',
     'unknown key': 'такого поля нет',
-    'the key is there twice': 'поле встречается дважды',
-    'the id is there twice': 'имя встречается дважды',
+    'the key occurs twice': 'поле встречается дважды',
+    'the id occurs twice': 'имя встречается дважды',
     'not an object': 'не объект',
     'not an array': 'не список',
     'not a string': 'не строка',
@@ -84,16 +84,16 @@ export const scene: SceneTexts = {
     'nested too deeply': 'слишком глубокая вложенность',
     empty: 'пусто',
     'longer than {} bytes': 'длиннее {} байт',
-    'the id is there twice: without one it is the position':
+    'the id occurs twice; a polygon without an id gets its position':
       'имя встречается дважды: если его нет, оно — номер по порядку',
     'more than {} polygons': 'многоугольников больше {}',
     'cut into more than {} polygons': 'при разрезании получается больше {} многоугольников',
     'more than {} curves': 'кривых больше {}',
     'together more than {} samples': 'всех отсчётов больше {}',
     '"window" is missing, which a camera needs': 'нет поля «window», а камере оно нужно',
-    '"window" is missing, and there are no vertices to reach over':
+    '"window" is missing, and there are no vertices to derive it from':
       'нет поля «window», а вершин, по которым его найти, нет',
-    '"window" is missing, and there are no samples to reach over':
+    '"window" is missing, and there are no samples to derive it from':
       'нет поля «window», а отсчётов, по которым его найти, нет',
     'there may be more faults: reading ended here':
       'возможно, есть и другие: чтение на этом закончено',
@@ -107,13 +107,13 @@ export const scene: SceneTexts = {
     'height is not greater than 0': 'height не больше 0',
     'near is not less than far': 'near не меньше far',
     'out of the range of doubles': 'вне диапазона double',
-    'not above 0': 'не больше 0',
+    'not greater than 0': 'не больше 0',
     'not columns and rows': 'не столбцы и строки',
     'not two numbers': 'не два числа',
-    'twice the same number': 'дважды одно и то же число',
+    'the two numbers are equal': 'дважды одно и то же число',
     'curve {} is over the columns {} to {}, and the window has {} to {}':
       'кривая {} занимает столбцы от {} до {}, а в окне — от {} до {}',
-    'no function, which could be sampled in other ways':
+    'has no function that could be sampled in other ways':
       'функции нет, так что других отсчётов взять нельзя',
     'fewer than two samples': 'меньше двух отсчётов',
     'not a column and a height': 'не столбец и высота',
@@ -142,13 +142,13 @@ export const scene: SceneTexts = {
     'not planar': 'не плоский',
     'not convex: the outline does not go once around the convex hull of its vertices':
       'не выпуклый: граница не обходит выпуклую оболочку своих вершин ровно один раз',
-    'has an edge that no other one shares':
+    'has an edge that no other polygon shares':
       'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
-    'goes along an edge the way another one does':
+    'goes along an edge in the same direction as another polygon':
       'идёт вдоль ребра в ту же сторону, что и другой: нужны замкнутые выпуклые тела',
     'has no area': 'у него нет площади',
     'is not planar to the last digit': 'не плоский до последнего знака',
-    'has a vertex of another one before it: its body is not convex, or it goes round the other way':
+    'has a vertex of another one in front of it: its body is not convex, or its vertices are in the opposite order':
       'перед ним лежит вершина другого: его тело не выпукло, или обход обратный',
     'no number': 'не число',
     'not known; there are x, z and pi': 'неизвестно; есть x, z и pi',
