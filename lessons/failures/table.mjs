@@ -62,7 +62,7 @@ writes these tables.`,
 на той же поверхности с другими отсчётами), и место, где ошибка видна. \`tests/check/failures_test.cpp\` проверяет каждую
 запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
 \`table.mjs\`.`,
-    head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
+    head: ['ошибка', 'причина', 'прогон', 'шаг', 'что на нём видно', 'исправление'],
     wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: ${answer(taken, russian)}, точно ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
     fault: (reason) => faults[reason] ?? reason,
