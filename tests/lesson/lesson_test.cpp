@@ -68,6 +68,11 @@ std::string problem_of(const std::string& markdown) {
     return problems.empty() ? "" : problems[0].text();
 }
 
+/// The story with the headings that Russian has.
+std::string in_russian(std::string story) {
+    return story.replace(story.find("Summary"), 7, "Итоги").replace(story.find("Exercises"), 9, "Упражнения");
+}
+
 }  // namespace
 
 TEST_CASE("A paragraph has words, emphasis, code, and links to pins, lessons and the web") {
@@ -146,6 +151,29 @@ TEST_CASE("Languages may order the parts of a sentence as they like, not the blo
     CHECK(problems[0].text() == "story.en.md:9: question, where story.en.md:7 has pin a");
 }
 
+TEST_CASE("A Russian formula has a decimal comma, a space between thousands, and a semicolon between coordinates") {
+    const auto differences = [](const std::string& english, const std::string& russian) {
+        Problems problems;
+        const Story first = story_of(english, problems);
+        const std::string second = in_russian(beginning + russian + '\n' + ending);
+        compare_structure(first, read_story(second, Language::russian, "story.ru.md", problems), problems);
+        return problems.size();
+    };
+    CHECK(differences("At $`p = (0.5,\\; 3{,}000{,}000)`$.", "В $`p = (0{,}5;\\; 3\\,000\\,000)`$.") == 0);
+    CHECK(differences("```math\n2.5 \\cdot 12\\,u\n```", "```math\n2{,}5 \\cdot 12\\,u\n```") == 0);
+    CHECK(differences("At $`0.5`$.", "В $`0{,}6`$.") == 1);
+}
+
+TEST_CASE("A Russian line breaks neither before a dash nor within a point or a number") {
+    Problems problems;
+    const std::string words = "Точка (1; 2,5; 3)\n— это одна из 65 536 точек.";
+    const std::string story = in_russian(beginning + words + '\n' + ending);
+    CHECK(read_story(story, Language::russian, "story.ru.md", problems).blocks[0]["text"][0] ==
+          "Точка (1;\u00a02,5;\u00a03)\u00a0— это одна из 65\u00a0536 точек.");
+    CHECK(problems.empty());
+    CHECK(block_of("A point — one of 2; 3.")["text"][0] == "A point — one of 2; 3.");
+}
+
 TEST_CASE("The list below the title holds the learning goals") {
     Problems problems;
     const Story story = story_of("Words.", problems);
@@ -160,9 +188,7 @@ TEST_CASE("Below the heading of the exercises a question is an exercise, in each
     CHECK(english.exercises == 2);
     CHECK(english.blocks.back()["is"] == "exercise");
     CHECK(english.blocks.back()["number"] == 2);
-    std::string russian = beginning + ending;
-    russian.replace(russian.find("Summary"), 7, "Итоги").replace(russian.find("Exercises"), 9, "Упражнения");
-    CHECK(read_story(russian, Language::russian, "story.ru.md", problems).exercises == 2);
+    CHECK(read_story(in_russian(beginning + ending), Language::russian, "story.ru.md", problems).exercises == 2);
     CHECK(problems.empty());
 }
 
@@ -255,9 +281,7 @@ struct SquareLesson {
 )");
         for (const char* language : {"en", "ru"}) {
             std::string story = "# Square\n\n- A goal\n\n[One polygon](#one) is left in [1 window](#all).\n" + ending;
-            if (language == std::string("ru")) {
-                story.replace(story.find("Summary"), 7, "Итоги").replace(story.find("Exercises"), 9, "Упражнения");
-            }
+            if (language == std::string("ru")) story = in_russian(story);
             place.write(std::string("square/story.") + language + ".md", story);
         }
     }

@@ -62,7 +62,7 @@ struct Sentence {
     }
     Text operator()(const event::Fill& e) const {
         const Text size = std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
-        return say(size + " pixels are filled", "заполняются " + size + " пикселей");
+        return say(size + " pixels are filled", "закрашено пикселей: " + size);
     }
     Text operator()(const event::Corners& e) const {
         return say("the corner depths start at " + number(e.z), "глубины в углах начинаются с " + number(e.z));
@@ -144,12 +144,12 @@ struct Sentence {
     Text operator()(const event::Pixel& e) const {
         const Text pixel = at(e.x, e.y);
         const Text compared = number(e.z) + (e.shown ? " > " : " ≯ ") + number(e.stored);
-        return e.shown
-                   ? say("pixel " + pixel + " is painted: " + compared, "пиксель " + pixel + " красится: " + compared)
-                   : say("pixel " + pixel + " stays: " + compared, "пиксель " + pixel + " остаётся: " + compared);
+        return e.shown ? say("pixel " + pixel + " is painted: " + compared,
+                             "пиксель " + pixel + " закрашивается: " + compared)
+                       : say("pixel " + pixel + " stays: " + compared, "пиксель " + pixel + " остаётся: " + compared);
     }
     Text operator()(const event::PopList& e) const {
-        return say("a list is taken; it is clipped by " + name(e.clip), "взят список; его режет " + name(e.clip));
+        return say("a list is taken; it is clipped by " + name(e.clip), "взят список; отсекает " + name(e.clip));
     }
     Text operator()(const event::PushList& e) const {
         const Text count = std::to_string(e.pieces.size());

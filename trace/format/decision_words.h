@@ -21,7 +21,7 @@ inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
     {"the columns", "столбцы"},
     {"whether two numbers round alike", "одинаково ли округляются два числа"},
     {"the pixel of a number", "пиксель, в который попадает число"},
-    {"the flag of Visibility", "признак видимости"},
+    {"the flag of Visibility", "флаг видимости"},
     {"whether the point lies left of the edge", "лежит ли точка слева от ребра"},
     {"whether the two are parallel", "параллельны ли прямые или плоскости"},
 }};

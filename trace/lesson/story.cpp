@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <regex>
 #include <sstream>
 
 #include "choice/edition.h"
@@ -67,10 +68,33 @@ bool is_in_listings(const std::string& word) {
     });
 }
 
+/// A Russian formula as English writes it: Russian has a decimal comma, a space between thousands, and a semicolon
+/// between coordinates.
+std::string in_english(std::string tex) {
+    static const std::regex comma(R"((\d)\{,\}(?=\d))"), space(R"((\d)\\,(?=\d))"), semicolon(R"(([^\\]);)");
+    tex = std::regex_replace(tex, comma, "$1.");
+    tex = std::regex_replace(tex, space, "$1{,}");
+    return std::regex_replace(tex, semicolon, "$1,");
+}
+
+/// Keeps on one line what Russian does not break: a dash and what precedes it, the coordinates of a point, the thousands
+/// of a number.
+std::string unbroken(std::string text) {
+    static const std::regex dash(" —"), thousands(R"((\d) (?=\d{3}(?!\d)))");
+    static const std::regex coordinates(R"((\([^()A-Za-z]*;) (?=[^()A-Za-z]*\)))");
+    text = std::regex_replace(text, dash, "\u00a0—");
+    text = std::regex_replace(text, thousands, "$1\u00a0");
+    while (std::regex_search(text, coordinates)) text = std::regex_replace(text, coordinates, "$1\u00a0");
+    return text;
+}
+
 class StoryReader {
 public:
     StoryReader(Language language, const std::string& file, Problems& problems)
-        : summary_(summary_heading.in(language)), exercises_(exercises_heading.in(language)), problems_(problems) {
+        : language_(language),
+          summary_(summary_heading.in(language)),
+          exercises_(exercises_heading.in(language)),
+          problems_(problems) {
         story_.file = file;
     }
 
@@ -109,6 +133,10 @@ private:
     void problem(int line, std::string what) { problems_.push_back({story_.file, line, std::move(what)}); }
 
     void mark(cmark_node* node, std::string what) { story_.marks.push_back({line_of(node), std::move(what)}); }
+
+    void mark_formula(cmark_node* node, const std::string& tex) {
+        mark(node, "formula " + (language_ == Language::russian ? in_english(tex) : tex));
+    }
 
     /// CommonMark's tree gives no line for inline content or for the cells of a table.
     static int line_of(cmark_node* node) {
@@ -214,7 +242,7 @@ private:
         const std::string info = cmark_node_get_fence_info(node);
         const std::string text = without_newline(literal(node));
         if (info == "math") {
-            mark(node, "formula " + text);
+            mark_formula(node, text);
             return {{"is", "formula"}, {"tex", text}};
         }
         constexpr std::string_view figure_word = "figure ";
@@ -286,14 +314,14 @@ private:
             if (is_formula(nodes, i, content)) {
                 content.back() = shortened(content.back());
                 const std::string tex = literal(nodes[i]);
-                mark(nodes[i], "formula " + tex);
+                mark_formula(nodes[i], tex);
                 content.push_back({{"is", "formula"}, {"tex", tex}});
                 append_text(content, literal(nodes[++i]).substr(1));
             } else {
                 append(content, nodes[i]);
             }
         }
-        return without_empty(content);
+        return with_unbroken(without_empty(content));
     }
 
     /// Code between dollars: $`x`$.
@@ -324,6 +352,14 @@ private:
             if (!is_empty) kept.push_back(each);
         }
         return kept;
+    }
+
+    Json with_unbroken(Json content) const {
+        if (language_ != Language::russian) return content;
+        for (Json& each : content) {
+            if (each.is_string()) each = unbroken(each.get<std::string>());
+        }
+        return content;
     }
 
     void append(Json& content, cmark_node* node) {
@@ -361,6 +397,7 @@ private:
         return {{"is", "link"}, {"url", url}, {"text", std::move(text)}};
     }
 
+    const Language language_;
     const std::string summary_, exercises_;
     bool are_exercises_ = false;  // in the current section
     Story story_;

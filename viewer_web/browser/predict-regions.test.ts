@@ -64,7 +64,7 @@ describe('a reader of Weiler and Atherton’s algorithm', () => {
     expect(await verdict(page)).toEqual(['✓ верно', '✓ верно', 'Верно.']);
 
     await turn('входы и выходы');
-    await turn('обход по границам');
+    await turn('обход по контурам');
     await page.keyboard.press('q');
     // The outline of W along Q, from vertex 2 at (8, 12) to vertex 3 at (4, 12), and back along Q by the last points, 7 and
     // 8.

@@ -414,8 +414,8 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
         : `${polygon} runs counter-clockwise: it looks towards the viewer and takes part.`,
     ru: ({ polygon, away }) =>
       away
-        ? `${polygon} обходится по часовой стрелке: он отвёрнут от наблюдателя и не участвует.`
-        : `${polygon} обходится против часовой стрелки: он обращён к наблюдателю и участвует.`,
+        ? `${polygon} обходится по часовой стрелке: это нелицевая грань, и она не участвует.`
+        : `${polygon} обходится против часовой стрелки: это лицевая грань, и она участвует.`,
   },
   rejoin: {
     en: ({ polygon, list, level }) =>
@@ -441,7 +441,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
       ({
         outside: `${polygon} лежит вне окна.`,
         inside: `${polygon} лежит целиком внутри окна.`,
-        intersecting: `${polygon} пересекает окно: его встречает ребро.`,
+        intersecting: `${polygon} пересекает окно: через окно проходит ребро.`,
         surrounding: `${polygon} охватывает окно.`,
       })[relation],
   },
@@ -449,7 +449,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, edge, meets }) =>
       `Edge ${edge} of ${polygon} ${meets ? 'meets' : 'does not meet'} the window.`,
     ru: ({ polygon, edge, meets }) =>
-      `Ребро ${edge} многоугольника ${polygon} ${meets ? 'встречает' : 'не встречает'} окно.`,
+      `Ребро ${edge} многоугольника ${polygon} ${meets ? 'пересекает' : 'не пересекает'} окно.`,
   },
   meets: {
     en: ({ polygon, meets }) =>
@@ -458,8 +458,8 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
         : `No edge of ${polygon} meets the window: it surrounds the window, or lies outside.`,
     ru: ({ polygon, meets }) =>
       meets
-        ? `Одно из рёбер ${polygon} встречает окно.`
-        : `Ни одно ребро ${polygon} не встречает окна: он охватывает окно или лежит вне его.`,
+        ? `Одно из рёбер ${polygon} пересекает окно.`
+        : `Ни одно ребро ${polygon} не пересекает окна: он охватывает окно или лежит вне его.`,
   },
   ray: {
     en: ({ at, edge, counts }, { after, header }) => {
@@ -485,9 +485,9 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
           : `Ребро ${edge} проходит левее начала луча: ${so}.`;
       }
       if (counts > 0 && header.edition === 'vertex-counted-twice') {
-        return `Начало ребра ${edge} лежит на луче: касание и протыкание здесь считаются за два: ${so}.`;
+        return `Начало ребра ${edge} лежит на луче: и касание, и протыкание здесь считаются за два: ${so}.`;
       }
-      const where = `Начало ребра ${edge} лежит на луче, граница там`;
+      const where = `Начало ребра ${edge} лежит на луче, контур там`;
       if (counts === 2) return `${where} касается его, это считается за два: ${so}.`;
       if (counts === 1) return `${where} протыкает его, это считается за одно: ${so}.`;
       return `Начало ребра ${edge} лежит левее начала луча: ${so}.`;
@@ -497,7 +497,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, count }, words) =>
       `The outline of ${polygon} crosses the ray ${words.counted(count, { one: 'time', other: 'times' })}: ${count % 2 === 1 ? 'odd, so it surrounds the window' : 'even, so it lies outside'}.`,
     ru: ({ polygon, count }, words) =>
-      `Граница ${polygon} пересекает луч ${words.counted(count, { one: 'раз', few: 'раза', other: 'раз' })}: ${count % 2 === 1 ? 'нечётно, он охватывает окно' : 'чётно, он лежит вне окна'}.`,
+      `Контур ${polygon} пересекает луч ${words.counted(count, { one: 'раз', few: 'раза', other: 'раз' })}: ${count % 2 === 1 ? 'нечётно, он охватывает окно' : 'чётно, он лежит вне окна'}.`,
   },
   octants: {
     en: ({ at, edge, from, to, difference }, { after, signed }) => {
@@ -522,7 +522,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
         : `${polygon} runs around the window: the sum is ${signed(octants)} octants, so it surrounds the window.`,
     ru: ({ polygon, octants }, { signed }) =>
       octants === 0
-        ? `Повороты ${polygon} уничтожаются: сумма 0 октантов, он лежит вне окна.`
+        ? `Повороты ${polygon} взаимно уничтожаются: сумма 0 октантов, он лежит вне окна.`
         : `${polygon} обходит окно кругом: сумма ${signed(octants)} октантов, он охватывает окно.`,
   },
   hiding: {
@@ -549,6 +549,6 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, edge, z }, { short }) =>
       `${polygon} is seen edge-on; its edge ${edge} has depth ${short(z)} at the point.`,
     ru: ({ polygon, edge, z }, { short }) =>
-      `${polygon} повёрнут ребром; глубина его ребра ${edge} в этой точке равна ${short(z)}.`,
+      `${polygon} виден с ребра; глубина его ребра ${edge} в этой точке равна ${short(z)}.`,
   },
 };

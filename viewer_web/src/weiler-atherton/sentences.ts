@@ -26,8 +26,8 @@ const lies = {
   ru: {
     inside: 'внутри отсекающей области',
     outside: 'снаружи отсекающей области',
-    same_side: 'на границе отсекающей области, обе по одну сторону: идёт внутрь',
-    other_side: 'на границе отсекающей области, области по разные стороны: идёт наружу',
+    same_side: 'на контуре отсекающей области, области по одну сторону: идёт внутрь',
+    other_side: 'на контуре отсекающей области, области по разные стороны: идёт наружу',
   },
 };
 
@@ -141,7 +141,7 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
       const [piece, clip] = [all[seen - 1], all[0]];
       if (piece === undefined || clip === undefined) return `${polygon} лежит снаружи.`;
       const box = boxOf(piece[1], words);
-      return `Габариты ${polygon}${box && `${box},`} лежат в стороне от габаритов ${clip[0]}${boxOf(clip[1], words)}: вся часть снаружи.`;
+      return `Габаритный прямоугольник ${polygon}${box && `${box},`} не пересекается с прямоугольником ${clip[0]}${boxOf(clip[1], words)}: вся часть снаружи.`;
     },
   },
   clipped: {
@@ -157,22 +157,22 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
       if (inside.length === 0) return `Внутри ${clip} нет ничего от ${polygon}.`;
       if (at === 'SP1') return `Общая область ${polygon} и ${clip}: ${sizeOf(inside, words)}.`;
       if (outside.length === 0) return `Вся эта часть ${polygon} лежит внутри ${clip}.`;
-      return `Граница ${clip} делит ${polygon} надвое: внутри ${sizeOf(inside, words)}, снаружи ${sizeOf(outside, words)}.`;
+      return `Контур ${clip} делит ${polygon} надвое: внутри ${sizeOf(inside, words)}, снаружи ${sizeOf(outside, words)}.`;
     },
   },
   edge_piece: {
     en: ({ from, to, lies: where }, { point }) =>
       `The outline from ${point(from)} to ${point(to)} lies ${lies.en[where]}.`,
     ru: ({ from, to, lies: where }, { point }) =>
-      `Граница от ${point(from)} до ${point(to)} — ${lies.ru[where]}.`,
+      `Контур от ${point(from)} до ${point(to)} — ${lies.ru[where]}.`,
   },
   entering: {
     en: ({ point: at }, { point }) => `At ${point(at)} the outline enters the clip region.`,
-    ru: ({ point: at }, { point }) => `В точке ${point(at)} граница входит в отсекающую область.`,
+    ru: ({ point: at }, { point }) => `В точке ${point(at)} контур входит в отсекающую область.`,
   },
   leaving: {
     en: ({ point: at }, { point }) => `At ${point(at)} the outline leaves the clip region.`,
-    ru: ({ point: at }, { point }) => `В точке ${point(at)} граница выходит из отсекающей области.`,
+    ru: ({ point: at }, { point }) => `В точке ${point(at)} контур выходит из отсекающей области.`,
   },
   behind: {
     en: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
@@ -192,8 +192,8 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
       const where = `В точке ${point(at)}, среднем вершин, глубина ${polygon} равна ${own}, ${clip} — ${other}`;
       if (order === 0) {
         return behind
-          ? `${where}: поровну, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
-          : `${where}: поровну, и ${polygon} в сцене раньше, поэтому он ближе.`;
+          ? `${where}: столько же, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
+          : `${where}: столько же, и ${polygon} в сцене раньше, поэтому он ближе.`;
       }
       return behind
         ? `${where}: меньше, поэтому ${polygon} сзади, здесь и на всей части.`
@@ -219,7 +219,7 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
     en: ({ polygon, region }, words) =>
       `${polygon} is visible in this region of ${sizeOf(region, words)}: nothing inside its outline is nearer.`,
     ru: ({ polygon, region }, words) =>
-      `${polygon} виден в этой области (${sizeOf(region, words)}): внутри её границы нет ничего ближе.`,
+      `${polygon} виден в этой области (${sizeOf(region, words)}): внутри её контура нет ничего ближе.`,
   },
   order: {
     en: ({ polygon, other, point: at, z, otherZ, order }, { point, shortApart }) => {

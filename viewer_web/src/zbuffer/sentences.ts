@@ -51,7 +51,7 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
   },
   scanline: {
     en: ({ y, row }, { short }) => `The scanline is row ${short(row)}, y = ${short(y)}.`,
-    ru: ({ y, row }, { short }) => `Строка растра ${short(row)}, y = ${short(y)}.`,
+    ru: ({ y, row }, { short }) => `Строка развёртки ${short(row)}, y = ${short(y)}.`,
   },
   ael_add: {
     en: ({ edge, x, z, until }, { short }) =>

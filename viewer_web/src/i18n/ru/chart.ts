@@ -79,7 +79,7 @@ export const chart: ChartTexts = {
   },
   operations: {
     windows: (share) => `${share} операций — окна, взятые из стека`,
-    boxes: (share) => `${share} операций — габаритные проверки`,
+    boxes: (share) => `${share} операций — габаритные тесты`,
     depths: (share) => `${share} операций — глубины плоскостей`,
     orientations: (share) => `${share} операций — проверки ориентации`,
     comparisons: (share) => `${share} операций — сравнения глубин`,
@@ -102,7 +102,7 @@ export const chart: ChartTexts = {
     },
   },
   empty: 'График не открыт.',
-  howTo: 'Эта команда пишет его для всех способов выполнить эти сцены:',
+  howTo: 'Эта команда строит его для всех способов выполнения этих сцен:',
   unreadable: (name, where, reason) =>
     `Файл ${name} нельзя прочитать как график. ${where === '' ? '' : `${where}: `}${reason}.`,
   broken: (name) => `Файл ${name} не удалось прочитать.`,

@@ -5,7 +5,7 @@ import { short } from './numbers.js';
 export const scene: SceneTexts = {
   scene: 'Сцена',
   edit: 'Править',
-  how: 'Тяните за вершину, а за ребро — весь многоугольник. На вершине действуют клавиши: они в списке «Клавиши».',
+  how: 'Вершину двигайте за неё саму, весь многоугольник — за ребро. На вершине действуют клавиши: они в списке «Клавиши».',
   run: 'Прогон',
   method: 'метод',
   kernel: 'числа',
@@ -17,7 +17,7 @@ export const scene: SceneTexts = {
   redo: 'Вернуть',
   draw: 'Нарисовать многоугольник',
   drawing:
-    'Отмечайте вершины. Снова первая вершина или Enter — конец; Backspace убирает последнюю; Esc — отказ.',
+    'Отмечайте вершины. Чтобы закончить, отметьте снова первую или нажмите Enter; Backspace убирает последнюю, Esc отменяет рисование.',
   drawHere: 'Место вершины: стрелки двигают его, пробел ставит вершину',
   clear: 'Новая',
   clearHint: 'Убирает все многоугольники',
@@ -85,20 +85,20 @@ export const scene: SceneTexts = {
     empty: 'пусто',
     'longer than {} bytes': 'длиннее {} байт',
     'the id occurs twice; a polygon without an id gets its position':
-      'имя встречается дважды: если его нет, оно — номер по порядку',
+      'имя встречается дважды: без имени многоугольник называется по номеру',
     'more than {} polygons': 'многоугольников больше {}',
     'cut into more than {} polygons': 'при разрезании получается больше {} многоугольников',
     'more than {} curves': 'кривых больше {}',
     'together more than {} samples': 'всех отсчётов больше {}',
     '"window" is missing, which a camera needs': 'нет поля «window», а камере оно нужно',
     '"window" is missing, and there are no vertices to derive it from':
-      'нет поля «window», а вершин, по которым его найти, нет',
+      'нет ни поля «window», ни вершин, по которым его можно найти',
     '"window" is missing, and there are no samples to derive it from':
-      'нет поля «window», а отсчётов, по которым его найти, нет',
+      'нет ни поля «window», ни отсчётов, по которым его можно найти',
     'there may be more faults: reading ended here':
       'возможно, есть и другие: чтение на этом закончено',
     '"window" is missing, and the samples reach too far for one':
-      'нет поля «window», а отсчёты заходят слишком далеко, чтобы его найти',
+      'нет поля «window», а отсчёты заходят слишком далеко, чтобы найти его по ним',
     'neither "perspective" nor "orthographic"': 'не "perspective" и не "orthographic"',
     'eye and target are one point': 'eye и target — одна точка',
     'up does not point aside from the direction of view': 'up направлен вдоль взгляда',
@@ -114,7 +114,7 @@ export const scene: SceneTexts = {
     'curve {} is over the columns {} to {}, and the window has {} to {}':
       'кривая {} занимает столбцы от {} до {}, а в окне — от {} до {}',
     'has no function that could be sampled in other ways':
-      'функции нет, так что других отсчётов взять нельзя',
+      'функции нет, поэтому других отсчётов взять нельзя',
     'fewer than two samples': 'меньше двух отсчётов',
     'not a column and a height': 'не столбец и высота',
     'not right of the sample before': 'не правее предыдущего отсчёта',
@@ -133,15 +133,15 @@ export const scene: SceneTexts = {
     'not positive': 'не положительное число',
     'no scene shows it': 'ни одна сцена этого не показывает',
     'the scene is too wide for a grid of 1/2^{} pixel; grid:{} is the finest that fits':
-      'сцена слишком широка для решётки с шагом 1/2^{} пикселя; самая мелкая подходящая — grid:{}',
+      'сцена слишком широка для сетки с шагом 1/2^{} пикселя; самая мелкая подходящая — grid:{}',
     'the scene is too wide for a grid of 1/2^{} pixel; none fits':
-      'сцена слишком широка для решётки с шагом 1/2^{} пикселя; не подходит ни одна',
+      'сцена слишком широка для сетки с шагом 1/2^{} пикселя; не подходит ни одна',
     'not finite': 'не конечное число',
     'fewer than three vertices': 'меньше трёх вершин',
     'z outside -1 to 1': 'глубина не от −1 до 1',
     'not planar': 'не плоский',
     'not convex: the outline does not go once around the convex hull of its vertices':
-      'не выпуклый: граница не обходит выпуклую оболочку своих вершин ровно один раз',
+      'не выпуклый: контур не обходит выпуклую оболочку своих вершин ровно один раз',
     'has an edge that no other polygon shares':
       'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
     'goes along an edge in the same direction as another polygon':
@@ -149,14 +149,14 @@ export const scene: SceneTexts = {
     'has no area': 'у него нет площади',
     'is not planar to the last digit': 'не плоский до последнего знака',
     'has a vertex of another one in front of it: its body is not convex, or its vertices are in the opposite order':
-      'перед ним лежит вершина другого: его тело не выпукло, или обход обратный',
+      'перед ним лежит вершина другого: его тело не выпукло или обход обратный',
     'no number': 'не число',
     'not known; there are x, z and pi': 'неизвестно; есть x, z и pi',
     'a product is written with *': 'произведение пишется со знаком *',
     'not taken here': 'здесь не принимается',
     'no such function': 'такой функции нет',
-    'takes another number of arguments': 'число аргументов другое',
-    'this is more than a formula': 'это больше, чем формула',
+    'takes another number of arguments': 'у неё другое число аргументов',
+    'this is more than a formula': 'здесь есть что-то кроме формулы',
     'empty, or with signs that no formula has':
       'пусто, или есть символ, которого в формулах не бывает',
     'it ends too early': 'обрывается',

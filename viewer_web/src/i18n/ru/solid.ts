@@ -7,10 +7,9 @@ export const solid: SolidTexts = {
   turn: 'Вид',
   views: { front: 'Спереди', side: 'Сбоку', askew: 'Аксонометрия' },
   missing: 'В этом браузере нет WebGL: видны лишь контуры многоугольников.',
-  depths: (far, near) =>
-    `Чем больше z, тем ближе: от ${far} до ${near}. Масштаб по глубине другой.`,
+  depths: (far, near) => `Чем больше z, тем ближе: от ${far} до ${near}. По глубине масштаб свой.`,
   window: (window) => `Окно ${window}: столб вдоль z.`,
-  corners: (depths) => `Наибольшие пока в его углах: ${depths}.`,
+  corners: (depths) => `Наибольшие глубины в его углах к этому шагу: ${depths}.`,
   plane: (polygon, depths) => `На плоскости ${polygon}: ${depths}.`,
   clip: 'Пунктир — отсечённый к этому шагу многоугольник.',
   point: (point, depths) => `На прямой через ${point}: ${depths}.`,

@@ -6,7 +6,7 @@ import { known, outside } from './warnock.js';
 export const familyFacts: Facts<keyof FamilyEvents> = {
   back_face: ({ polygon, away }) => ({
     ids: [polygon],
-    says: answered(away, said(/looks away/u, /отвёрнут/u), said(/looks towards/u, /обращён/u)),
+    says: answered(away, said(/looks away/u, /нелицевая/u), said(/looks towards/u, /это лицевая/u)),
   }),
   rejoin: ({ polygon, level }) => of(polygon, level),
   join: ({ polygon, list, level }, moment) => ({
@@ -33,8 +33,8 @@ export const familyFacts: Facts<keyof FamilyEvents> = {
     ...of(polygon, edge),
     says: answered(
       meets,
-      said(/ meets the/u, /[^е] встречает/u),
-      said(/does not meet/u, /не встречает/u),
+      said(/ meets the/u, /[^е] пересекает/u),
+      said(/does not meet/u, /не пересекает/u),
     ),
   }),
   meets: ({ polygon, meets }) => ({

@@ -75,7 +75,7 @@ export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row
       ...answered(behind, said(/is behind/u, /сзади/u), said(/is nearer/u, /ближе/u)),
       {
         '-1': said(/: less/u, /: меньше/u),
-        0: said(/: equal/u, /: поровну/u),
+        0: said(/: equal/u, /: столько же/u),
         1: said(/: greater/u, /: больше/u),
       }[order],
     ],
