@@ -326,6 +326,9 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "page " + scene,
              "page " + scene + " -o " + work.file("a.htm"),
              "page " + decision + " -o " + work.file("a.html"),
+             "page " + scene + " --questions 3 -o " + work.file("a.html"),
+             "page " + scene + " --questions 0 -o " + work.file("a.zip"),
+             "page " + scene + " --language la -o " + work.file("a.zip"),
              "page " + work.file("missing.jsonl") + " -o " + work.file("a.html"),
              "worksheet " + scene + " -o " + work.file("a.xml"),
              "worksheet " + work.file("missing.jsonl") + " -o " + work.file("a.xml"),
@@ -726,6 +729,72 @@ TEST_CASE("page: the built page with the given content instead of its lessons") 
         CHECK(unbuilt.status == 2);
         CHECK(unbuilt.text.find("index.html: not there; ./dev demo builds the page") != std::string::npos);
         CHECK_FALSE(work.has("out.html"));
+    }
+    SUBCASE("a language: that of the address at which the page opens") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(page("--language ru" + output).status == 0);
+        const std::string address = R"(<script type="application/json" id="vidno-address">"#lang=ru"</script>)";
+        CHECK(work.read("out.html") == before + lessons + library + address + after);
+    }
+
+    const auto in_package = [&](const std::string& file) {
+        const auto unpacked = program("-p " + work.file("out.zip") + " " + file, "unzip");
+        CHECK_MESSAGE(unpacked.status == 0, unpacked.text);
+        return unpacked.text;
+    };
+    const auto titles = [&] {
+        std::vector<std::string> found;
+        std::istringstream lines(in_package("imsmanifest.xml"));
+        for (std::string line; std::getline(lines, line);) {
+            const auto begin = line.find("<title>");
+            if (begin == line.npos) continue;
+            found.push_back(line.substr(begin + 7, line.find("</title>") - begin - 7));
+        }
+        REQUIRE(found.size() == 2);
+        CHECK_MESSAGE(found[0] == found[1], "of the organization, and of its only item");
+        return found[0];
+    };
+    const std::string package = " -o " + work.file("out.zip");
+    SUBCASE("a package: a manifest and the page, the same bytes each time") {
+        work.write("share/vidno/index.html", before + library + after);
+        REQUIRE(page(scene + output).status == 0);
+        REQUIRE(page(scene + package).status == 0);
+        CHECK(program("-t " + work.file("out.zip"), "unzip").status == 0);
+        CHECK(program("-Z1 " + work.file("out.zip"), "unzip").text == "imsmanifest.xml\nindex.html\n");
+        CHECK(in_package("index.html") == work.read("out.html"));
+        const std::string first = work.read("out.zip");
+        REQUIRE(page(scene + package).status == 0);
+        CHECK(work.read("out.zip") == first);
+    }
+    SUBCASE("a package is completed by five questions, or by as many as are requested") {
+        work.write("share/vidno/index.html", before + library + after);
+        REQUIRE(page(scene + package).status == 0);
+        CHECK(in_package("imsmanifest.xml").find("<adlcp:datafromlms>5</adlcp:datafromlms>") != std::string::npos);
+        REQUIRE(page(scene + " --questions 8" + package).status == 0);
+        CHECK(in_package("imsmanifest.xml").find("<adlcp:datafromlms>8</adlcp:datafromlms>") != std::string::npos);
+    }
+    SUBCASE("a package has the title of its content: in the language, of the first and the last, or of the program") {
+        work.write("share/vidno/index.html", before + library + after);
+        REQUIRE(page(VIDNO_ROOT "/lessons/02-corner-depths --language ru" + package).status == 0);
+        CHECK(titles() == "Глубины в углах: достаточно, но не необходимо");
+        REQUIRE(page(VIDNO_ROOT "/lessons/02-corner-depths " + trace + " " + scene + package).status == 0);
+        CHECK(titles() == "The corner depths: sufficient, not necessary \u2013 scene.json");
+        REQUIRE(page(package).status == 0);
+        CHECK(titles() == "vidno");
+    }
+    SUBCASE("a title in a manifest is plain text of at most 200 characters") {
+        work.write("share/vidno/index.html", before + library + after);
+        const auto named = [&](const std::string& name) {
+            return work.write("named.json", R"({"name":")" + name + "\"," + square_scene.substr(1));
+        };
+        REQUIRE(page(named("</title>&\\u0001") + package).status == 0);
+        CHECK(titles() == "&lt;/title&gt;&amp;\ufffd");
+        std::string name;
+        for (int i = 0; i < 100; ++i) name += "аб";
+        REQUIRE(page(named(name) + package).status == 0);
+        CHECK(titles() == name);
+        REQUIRE(page(named(name + "в") + package).status == 0);
+        CHECK(titles() == name.substr(0, name.size() - 2) + "\u2026");
     }
 }
 

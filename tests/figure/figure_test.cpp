@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "characters.h"
 #include "figure/caption.h"
 #include "figure/notation.h"
 #include "figure/patches.h"

@@ -9,6 +9,7 @@
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "output.h"
+#include "page/scorm.h"
 #include "scene/failure.h"
 #include "scene/scene_json.h"
 
@@ -20,7 +21,11 @@ struct PageOptions {
     std::vector<std::string> files;
     std::string output;
     Answers answers = Answers::included;
+    std::optional<std::string> language;
+    std::optional<int> questions;
 };
+
+constexpr int usual_questions = 5;  // each lesson of the course has a run with as many
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
@@ -95,7 +100,12 @@ bool add_lesson_to(PageContent& content, const std::string& folder, Answers answ
 }
 
 int page(const PageOptions& options) {
-    if (options.output != "-" && !options.output.ends_with(".html")) throw Refused(options.output + ": not .html");
+    const bool is_package = options.output.ends_with(".zip");
+    if (!is_package && options.output != "-" && !options.output.ends_with(".html"))
+        throw Refused(options.output + ": not .html or .zip");
+    if (options.questions && !is_package) throw Refused("--questions is for a package, which is .zip");
+    std::optional<Language> language;
+    if (options.language) language = Language(place_in(language_codes, *options.language));
     trace_page({});  // refuses what would be missing in the end before the work
     OutputFile output(options.output);
     bool whole = true;
@@ -107,7 +117,9 @@ int page(const PageOptions& options) {
             content.add(is_trace(file) ? trace_file(file, whole) : scene_file(file));
         }
     }
-    output.write(trace_page(content));
+    const std::string made = trace_page(content, language);
+    const std::string title = content.title(language.value_or(Language::english));
+    output.write(is_package ? scorm_package(made, title, options.questions.value_or(usual_questions)) : made);
     output.commit();
     return whole ? 0 : 1;
 }
@@ -117,13 +129,29 @@ int page(const PageOptions& options) {
 void add_page(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("page", "Make one page of traces and scenes that opens from disk");
     const auto options = std::make_shared<PageOptions>();
-    command.add_option("SCENE|TRACE", options->files,
-                       "Scene files, failures, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
-    command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
+    command.add_option(
+        "SCENE|TRACE", options->files,
+        "Scene files, failures, traces (.jsonl, .jsonl.gz) and folders of lessons; without any, the page has the "
+        "lessons of the course");
+    command
+        .add_option("-o", options->output,
+                    "The page, .html, or - for standard output; or a SCORM 1.2 package of it for a learning management "
+                    "system, .zip")
+        ->required();
+    command
+        .add_option("--language", options->language,
+                    "The language in which the page opens, and of the package's title [the browser's; en]")
+        ->check(CLI::IsMember(words(language_codes)));
+    command
+        .add_option(
+            "--questions", options->questions,
+            "For .zip: how many questions must be answered to complete it [" + std::to_string(usual_questions) + "]")
+        ->check(CLI::Range(1, 9999));
     add_no_answers(command, options->answers);
     command.footer(
         "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
-        "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
+        "Examples: vidno page run.jsonl.gz scene.json -o lecture.html\n"
+        "          vidno page lessons/02-corner-depths --questions 8 -o corner-depths.zip\n"
         "Exit status 1: a trace was cut short or is partial; the page contains the part that exists.");
     command.callback([options, &status] { status = page(*options); });
 }

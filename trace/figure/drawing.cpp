@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "characters.h"
+
 namespace vidno::figures {
 
 namespace {
@@ -99,28 +101,6 @@ std::string decimal(double value) {
     if (thousandths == 0) return "0";
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), thousandths / 1000);
     return {text.data(), end};
-}
-
-std::u32string characters_of(std::string_view text) {
-    std::u32string characters;
-    for (const char byte : text) {
-        const auto bits = static_cast<unsigned char>(byte);
-        if ((bits & 0xc0) == 0x80 && !characters.empty()) {
-            characters.back() = characters.back() << 6 | (bits & 0x3f);
-        } else {
-            const int prefix = bits < 0x80 ? 0 : bits < 0xe0 ? 3 : bits < 0xf0 ? 4 : 5;
-            characters += char32_t(prefix == 0 ? bits : bits & (0xff >> prefix));
-        }
-    }
-    return characters;
-}
-
-std::string utf8(char32_t c) {
-    if (c < 0x80) return {char(c)};
-    const auto rest = [&](int shift) { return char(0x80 | (c >> shift & 0x3f)); };
-    if (c < 0x800) return {char(0xc0 | c >> 6), rest(0)};
-    if (c < 0x10000) return {char(0xe0 | c >> 12), rest(6), rest(0)};
-    return {char(0xf0 | c >> 18), rest(12), rest(6), rest(0)};
 }
 
 double width_of(std::string_view text, double size, bool bold) {

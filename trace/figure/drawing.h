@@ -97,8 +97,4 @@ double width_of(std::string_view text, double size, bool bold = false);
 /// A coordinate as text, rounded to a thousandth.
 std::string decimal(double value);
 
-/// The characters of a text in UTF-8.
-std::u32string characters_of(std::string_view text);
-std::string utf8(char32_t character);
-
 }  // namespace vidno::figures

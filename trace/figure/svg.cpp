@@ -1,3 +1,4 @@
+#include "characters.h"
 #include "json/json_text.h"
 #include "writers.h"
 
@@ -6,23 +7,6 @@ namespace vidno::figures {
 namespace {
 
 constexpr std::string_view font_family = "Helvetica, Arial, 'Liberation Sans', 'Nimbus Sans', sans-serif";
-
-/// Text for XML, without the characters that XML cannot represent.
-std::string escaped_for_xml(std::string_view text) {
-    std::string written;
-    for (const char32_t c : characters_of(text)) {
-        const bool allowed = c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c < 0xd800) ||
-                             (c >= 0xe000 && c < 0xfffe) || (c >= 0x10000 && c < 0x110000);
-        switch (c) {
-            case '&': written += "&amp;"; break;
-            case '<': written += "&lt;"; break;
-            case '>': written += "&gt;"; break;
-            case '"': written += "&quot;"; break;
-            default: written += allowed ? utf8(c) : "\ufffd";
-        }
-    }
-    return written;
-}
 
 std::string attribute(std::string_view name, std::string_view value) {
     return " " + std::string(name) + "=\"" + escaped_for_xml(value) + "\"";

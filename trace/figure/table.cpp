@@ -1,5 +1,6 @@
 #include "table.h"
 
+#include "characters.h"
 #include "plane.h"
 
 namespace vidno::figures {

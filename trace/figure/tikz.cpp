@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "characters.h"
 #include "writers.h"
 
 namespace vidno::figures {

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "choice/language.h"
 #include "output.h"
 
 namespace vidno {
@@ -36,6 +35,7 @@ std::string as_block(std::string json) {
 
 constexpr std::string_view end_of_block = "</script>";
 constexpr std::string_view index_block = R"(<script type="application/json" id="vidno-lessons">)";
+constexpr std::string_view address_block = R"(<script type="application/json" id="vidno-address">)";
 constexpr std::string_view file_block = R"(<script type="application/octet-stream" data-vidno-file=")";
 
 std::string base64(std::string_view bytes) {
@@ -117,17 +117,32 @@ void PageContent::add(const PageFile& file) {
     has_scene = has_scene || file.is_scene;
 }
 
-std::string trace_page(const PageContent& content) {
+std::string PageContent::title(Language language) const {
+    if (index.empty()) return "vidno";
+    const auto title_of = [&](const nlohmann::ordered_json& entry) {
+        return entry["title"][std::string(code_of(language))].get<std::string>();
+    };
+    return title_of(index.front()) + (index.size() > 1 ? " \u2013 " + title_of(index.back()) : "");
+}
+
+std::string trace_page(const PageContent& content, std::optional<Language> language) {
     std::string page = built_page("index.html");
+    const auto body = [&] {
+        const auto place = page.rfind("</body>");
+        if (place == page.npos) throw Refused("index.html: is not the page of traces");
+        return place;
+    };
+    if (language) {
+        const std::string address = R"("#lang=)" + std::string(code_of(*language)) + '"';
+        page.insert(body(), std::string(address_block) + address + std::string(end_of_block));
+    }
     if (content.files.empty()) return page;
     if (content.has_scene && page.find(R"(id="vidno-library">)") == page.npos) {
         throw Refused("index.html: was built without the library that runs a scene");
     }
     const auto lessons = take_blocks(page, index_block);
     take_blocks(page, file_block);
-    const auto body = page.rfind("</body>");
-    if (body == page.npos) throw Refused("index.html: is not the page of traces");
-    return page.insert(std::min(lessons, body), blocks_of(content));
+    return page.insert(std::min(lessons, body()), blocks_of(content));
 }
 
 std::string chart_page(const std::string& json) {

@@ -3,9 +3,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "choice/language.h"
 
 namespace vidno {
 
@@ -24,11 +27,14 @@ struct PageContent {
     bool has_scene = false;
 
     void add(const PageFile& file);
+
+    /// The title of the first entry, and of the last if there are several; the program's name if there is none.
+    std::string title(Language language) const;
 };
 
-/// The page that shows traces, with this content instead of its lessons, if there is any. Throws Refused if no page was built, or if it
-/// cannot run a scene.
-std::string trace_page(const PageContent& content);
+/// The page that shows traces, with this content instead of its lessons, if there is any. It opens in the language, or else in the one that
+/// the browser prefers. Throws Refused if no page was built, or if it cannot run a scene.
+std::string trace_page(const PageContent& content, std::optional<Language> language = std::nullopt);
 
 /// The address under which a browser opens a file of this machine. The path is absolute.
 std::string file_address(const std::filesystem::path& path);

@@ -61,7 +61,7 @@ MappedDepth read_depth(const JsonNode& node) {
     return {{read(0), read(1)}};
 }
 
-MappedDecision read(const JsonNode& root) {
+MappedDecision decision_in(const JsonNode& root) {
     root.object();
     root.expect_format(format);
     root.require_keys({"format", "p", "step"}, {"name", "orientation", "surround", "clip", "depth"});
@@ -91,7 +91,7 @@ MappedDecision read(const JsonNode& root) {
 }  // namespace
 
 MappedDecision read_mapped_decision(std::string_view text, const std::string& file) {
-    return read_json(text, file, read);
+    return read_json(text, file, decision_in);
 }
 
 }  // namespace vidno

@@ -1,11 +1,11 @@
 import { readFileSync } from 'node:fs';
-import type { Page } from 'playwright-core';
+import type { Frame, Page } from 'playwright-core';
 import { shown } from './page.js';
 
 export const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 
 /** Waits for a question at a step, with the focus on it. */
-export async function asked(page: Page, step: number): Promise<void> {
+export async function asked(page: Page | Frame, step: number): Promise<void> {
   await page.locator('vidno-question h3:focus').waitFor();
   await page.waitForFunction((wanted) => {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
@@ -18,7 +18,7 @@ export async function press(page: Page, ...keys: readonly string[]): Promise<voi
 }
 
 /** The verdict on each part, and on the whole. */
-export async function verdict(page: Page): Promise<readonly string[]> {
+export async function verdict(page: Page | Frame): Promise<readonly string[]> {
   await page.locator('vidno-question .result').waitFor();
   const said = await page.locator('vidno-question :is(legend b, .result)').allTextContents();
   return said.map((text) => text.trim());

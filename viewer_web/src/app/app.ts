@@ -44,6 +44,7 @@ import { Navigation } from './navigation.js';
 import './page-header.js';
 import type { Asked } from './page-header.js';
 import { Reading } from './reading.js';
+import { learningSystemOf } from './scorm.js';
 import { Session } from './session.js';
 import { share } from './sharing.js';
 import './tour.js';
@@ -84,6 +85,7 @@ export class AppElement extends LitElement implements Shown, Told {
   /** Whether the page is looking for what the address names. */
   @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
+  readonly keeper = learningSystemOf(window);
   readonly ways: Navigation = new Navigation(this);
   readonly breaking: Breaking = new Breaking(this);
   readonly session = new Session(this, () => {

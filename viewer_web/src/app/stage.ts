@@ -13,6 +13,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import '../player/player.js';
 import { isComparedUnasked } from '../player/verdict.js';
+import type { Keeper } from '../predict/keeper.js';
 import type { Setup } from '../reader/address.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { deviationOf } from '../trace/editions.js';
@@ -39,6 +40,7 @@ export interface Shown {
   copyLink(): Promise<void>;
   requestUpdate(): void;
   readonly breaking: Breaking;
+  readonly keeper: Keeper | null;
   readonly ways: Navigation;
 }
 
@@ -76,6 +78,7 @@ export function alone(page: Shown): TemplateResult {
       ?play=${setting.play}
       .controls=${setting.controls}
       .ask=${setting.ask ?? ''}
+      .keeper=${page.keeper}
       ?presenting=${presenting && trace !== null}
       layout=${page.view}
       ?beside=${page.isReading}

@@ -61,6 +61,10 @@ export interface PredictTexts {
   readonly score: string;
   readonly counted: (right: number, asked: number) => string;
   readonly first: string;
+  readonly earlier: (answers: number) => string;
+  /** With the percentage in the course, and how many questions are left before the lesson is completed. */
+  readonly kept: (percent: string, left: number) => string;
+  readonly notKept: string;
   readonly name: string;
   readonly save: string;
   readonly saveHint: string;

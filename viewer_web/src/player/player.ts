@@ -35,6 +35,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Keeper } from '../predict/keeper.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
@@ -94,6 +95,8 @@ export class PlayerElement extends StageElement {
   @property({ type: Boolean }) breakable = false;
   /** How questions are asked, see `Way`. An event `vidno-ask` reports that the reader has changed it. */
   @property() ask = '';
+  /** What keeps the score of the answers when the page is closed. */
+  @property({ attribute: false }) keeper: Keeper | null = null;
   /** Whether a text is beside the player, which leaves room for two columns. */
   @property({ type: Boolean, reflect: true }) beside = false;
   /** The arrangement, and the parts of the state that a lesson asks for. */

@@ -14,8 +14,8 @@ import { predictStyle } from './predict.style.js';
 import type { Current, Predictor } from './predictor.js';
 import type { Kind } from './question.js';
 import './question-element.js';
-import { countOf, isRightAtFirst, scoreOf } from './score.js';
-import type { Answered } from './score.js';
+import { isRightAtFirst } from './score.js';
+import type { Answered, Score } from './score.js';
 
 /** The panel of predictions: the current question, the settings of questions, and the score. */
 @customElement('vidno-predict')
@@ -34,9 +34,10 @@ export class PredictElement extends LitElement {
 
   override render(): TemplateResult {
     const { current } = this.predictor;
+    const score = this.predictor.score();
     return html`
-      ${current === null ? this.nothingAsked() : this.asked(current)} ${this.choice()}
-      ${this.score()} ${this.moodle()}
+      ${current === null ? this.nothingAsked() : this.asked(current)} ${this.choice(score)}
+      ${this.kept()} ${this.score(score)} ${this.moodle()}
     `;
   }
 
@@ -69,7 +70,7 @@ export class PredictElement extends LitElement {
     </section>`;
   }
 
-  private choice(): TemplateResult {
+  private choice(score: Score): TemplateResult {
     const { say, predictor } = this;
     return html`<section class="choice">
       <label title=${say.forcedHint}>
@@ -83,16 +84,14 @@ export class PredictElement extends LitElement {
       </label>
       <fieldset>
         <legend>${say.askAbout}</legend>
-        ${predictor.offered.map((kind) => this.kind(kind))}
+        ${predictor.offered.map((kind) => this.kind(kind, score))}
       </fieldset>
     </section>`;
   }
 
-  private kind(kind: Kind): TemplateResult {
+  private kind(kind: Kind, { kinds }: Score): TemplateResult {
     const { say, predictor } = this;
-    const { asked, right } = countOf(
-      predictor.record.filter(({ question }) => question.kind === kind),
-    );
+    const { asked, right } = kinds[kind] ?? { asked: 0, right: 0 };
     return html`<label>
       <input
         type="checkbox"
@@ -108,16 +107,17 @@ export class PredictElement extends LitElement {
     </label>`;
   }
 
-  private score(): TemplateResult | typeof nothing {
+  private score({ total }: Score): TemplateResult | typeof nothing {
     const { say, predictor, view } = this;
     const { record } = predictor;
-    if (record.length === 0) return nothing;
-    const { asked, right, points, parts } = countOf(record);
+    const { asked, right, points, parts } = total;
+    if (asked === 0) return nothing;
     return html`<section class="score">
       <h3>${say.score}</h3>
       <p><b>${say.counted(right, asked)}</b></p>
       <p>${say.points(texts[view.language].numbers.short(points), parts)}</p>
       <p class="hint">${say.first}</p>
+      ${asked > record.length ? html`<p>${say.earlier(asked - record.length)}</p>` : nothing}
       <ol>
         ${record.map((answered) => this.answered(answered))}
       </ol>
@@ -146,8 +146,18 @@ export class PredictElement extends LitElement {
     </li>`;
   }
 
+  /** What a learning management system has of the score. */
+  private kept(): TemplateResult | typeof nothing {
+    const { say, predictor, view } = this;
+    if (predictor.keeper === null) return nothing;
+    const { percent, left } = predictor.keeper;
+    const kept =
+      percent === null ? say.notKept : say.kept(texts[view.language].numbers.short(percent), left);
+    return html`<section class="kept" role="status">${kept}</section>`;
+  }
+
   private save(): void {
-    const score = scoreOf(this.predictor.record, this.name.trim());
+    const score = this.predictor.score(this.name.trim());
     const file = new Blob([`${JSON.stringify(score, null, 2)}\n`], { type: 'application/json' });
     download(file, fileName('score', this.name, 'json'));
   }

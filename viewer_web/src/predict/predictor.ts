@@ -2,14 +2,16 @@ import type { ReactiveControllerHost } from 'lit';
 import type { Language } from '../language/language.js';
 import { grade } from './grade.js';
 import type { Answer } from './grade.js';
+import { joined } from './keeper.js';
+import type { Keeper } from './keeper.js';
 import { moodleXml } from './moodle.js';
 import type { Kind, Part, Question } from './question.js';
 import { kinds } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 import { reasonsOf } from './reasons.js';
 import type { Reason } from './reasons.js';
-import { runOf } from './score.js';
-import type { Answered } from './score.js';
+import { runOf, scoreOf } from './score.js';
+import type { Answered, Score } from './score.js';
 import { answerOf, emptySheet, filledIn, hinted, pressed } from './sheet.js';
 import type { Entry, Sheet } from './sheet.js';
 import { targetsOf } from './targets.js';
@@ -31,6 +33,8 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
   readonly language: Language;
   /** Whether there is room for questions. */
   readonly isFull: boolean;
+  /** What keeps the score when the page is closed, if anything does. */
+  readonly keeper: Keeper | null;
   ask: string;
   side: Side;
   moveTo(step: number): void;
@@ -52,7 +56,7 @@ export interface Current {
 
 /**
  * Asks what the run will do next. A question is asked at its step: the reader may pass it, unless questions are forced.
- * Answers are kept as long as the page is open.
+ * Answers are kept as long as the page is open; a `Keeper` keeps the score for longer.
  */
 export class Predictor {
   current: Current | null = null;
@@ -73,6 +77,10 @@ export class Predictor {
   private reasoned = '';
 
   constructor(private readonly host: Predicted) {}
+
+  get keeper(): Keeper | null {
+    return this.host.keeper;
+  }
 
   get isForced(): boolean {
     return this.host.ask === 'forced' && this.host.isFull;
@@ -269,7 +277,13 @@ export class Predictor {
       this.lookAgain();
     }
     this.current = { ...current, isAnswered: true, verdict: { given, right } };
+    this.keeper?.keep(this.score());
     this.host.requestUpdate();
+  }
+
+  /** The score, earlier visits included. */
+  score(name = ''): Score {
+    return joined(this.keeper?.earlier ?? null, scoreOf(this.record, name));
   }
 
   /** Sets whether the run stops at each question. */

@@ -32,7 +32,7 @@ export function runOf({ header, timeline }: Trace): Run {
 
 export const isRightAtFirst = ({ right }: Answered): boolean => right.every(Boolean);
 
-interface Count {
+export interface Count {
   readonly asked: number;
   readonly right: number;
   readonly given_up: number;
@@ -42,7 +42,7 @@ interface Count {
   readonly parts: number;
 }
 
-const inHundredths = (points: number): number => Math.round(points * 100) / 100;
+export const inHundredths = (points: number): number => Math.round(points * 100) / 100;
 
 const pointsFor = ({ question, right, sheet }: Answered): number =>
   pointsOf(question, right, sheet);

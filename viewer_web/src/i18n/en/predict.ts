@@ -235,6 +235,10 @@ export const predict: PredictTexts = {
   score: 'Score',
   counted: (right, asked) => `${right} of ${asked} right at the first answer`,
   first: 'Only the first answer counts.',
+  earlier: (answers) => `Answers from earlier visits: ${answers}.`,
+  kept: (percent, left) =>
+    `Your score in the course: ${percent} of 100. ${left === 0 ? 'The lesson is completed.' : `Questions left to answer: ${left}.`}`,
+  notKept: 'The course did not accept the score. Save it as a file.',
   name: 'Your name, if you like',
   save: 'Save the score',
   saveHint: 'Saves questions and answers as a file; nothing is sent anywhere',
