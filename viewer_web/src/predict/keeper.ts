@@ -44,7 +44,7 @@ export function joined(earlier: Score | null, score: Score): Score {
   };
 }
 
-/** The score as a text of at most so many characters: without its answers if it would be too long with them. */
+/** The score as a text of at most `most` characters: without its answers if it would be too long with them. */
 export function shortScore(score: Score, most: number): string {
   const whole = JSON.stringify(score);
   return whole.length <= most ? whole : JSON.stringify({ ...score, runs: [] });

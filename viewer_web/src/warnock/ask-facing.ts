@@ -6,7 +6,7 @@ import type { Asker } from '../predict/asker.js';
 export const facing: Asker<'facing'> = {
   isOf: (method) => method === 'warnock-bodies',
   from: 'polygons',
-  at: ['plane', 'back_face'],
+  at: ['plane'],
   ask(trace, step) {
     const { scene } = trace.header;
     const begin = nextOf(trace, step, 'push', 'plane');
