@@ -289,12 +289,9 @@ void add_grade(CLI::App& program, int& status) {
                        "table, .csv or .json, with a report on each program in a folder of the same name");
     command.footer(
         "It judges Warnock's algorithm, the Z-buffer, Weiler and Atherton's algorithm and the floating horizon.\n"
-        "A different order, a different rule for outlines, recursion and float are accepted. Steps that a program does "
-        "not\n"
-        "report are not judged; the report lists the reported ones. Programs run with limits of time, memory and "
-        "output, "
-        "and\n"
-        "under bubblewrap, where it is installed, without network and without access to your files.\n"
+        "A different order, a different rule for outlines, recursion and float are accepted. Steps that a program\n"
+        "does not report are not judged; the report lists what was reported. Programs run with limits of time, memory\n"
+        "and output, and under bubblewrap, where it is installed, without network and without access to your files.\n"
         "Example: vidno grade ./warnock -o report.html\n"
         "Example: vidno grade homework/ --detail polygons -o table.csv\n"
         "Exit status 1: something is wrong, or a required claim is missing.");

@@ -36,7 +36,7 @@ int print_methods(bool as_json) {
         std::cout << choices_json();
         return 0;
     }
-    std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
+    std::cout << "methods    (unless stated otherwise, domain: " << picture_rule.domain
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
     print(floating_horizon_method, floating_horizon_choice);

@@ -281,7 +281,7 @@ void add_stability(CLI::App& program, int& status) {
         ->capture_default_str();
     command.add_option("--seed", campaign.seed, "The seed; another seed gives other scenes")->capture_default_str();
     command.add_option("--shard", options->shard, "K/N: run only every N-th block of trials, from the K-th");
-    auto* merge = command.add_option("--merge", options->merged, "Merge these files of results, without a run");
+    auto* merge = command.add_option("--merge", options->merged, "Merge result files instead of running a campaign");
     command.add_option("-o", options->output,
                        "Keep the results, .jsonl; an interrupted campaign continues where it stopped");
     command.add_option(

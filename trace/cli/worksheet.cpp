@@ -148,7 +148,7 @@ void add_worksheet(CLI::App& program, int& status) {
         ->check(CLI::Range(1, 9999));
     command
         .add_option("-o", options->output,
-                    "The blank sheets of the scenes in order, .pdf; or questions about what the run does next, for "
+                    "Blank sheets for the scenes, in order, .pdf; or questions about the next steps of the run, for "
                     "Moodle, .xml")
         ->required();
     command.footer(
