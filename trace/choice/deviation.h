@@ -132,7 +132,7 @@ inline constexpr auto deviations = [] {
         {.defect = "x-w8",
          .title = untranslated("X-W8"),
          .says = {"c as computed decides whether a polygon is edge-on",
-                  "повёрнут ли многоугольник ребром, решает вычисленное значение c"},
+                  "виден ли многоугольник с ребра, решает вычисленное значение c"},
          .lines = at<W2>,
          .methods = of<warnock>,
          .witness = "x-w8"},
@@ -284,8 +284,8 @@ inline constexpr auto deviations = [] {
          .advice = {"the sign of z is reversed: the greater z is the nearer",
                     "перепутан знак z: ближе тот, у кого z больше"}},
         {.mistake = "boundary-outside",
-         .title = {"boundary outside", "граница снаружи"},
-         .says = {"points on the outline count as outside", "точки границы считаются внешними"},
+         .title = {"boundary outside", "контур снаружи"},
+         .says = {"points on the outline count as outside", "точки контура считаются внешними"},
          .lines = at<S3, L4>,
          .reads = {{{"for each edge e: if σ(e) = 0 or σ(e) ≠ Sgn₁: return false",
                      "для каждого ребра e: если σ(e) = 0 или σ(e) ≠ Sgn₁: вернуть false"},
@@ -295,7 +295,7 @@ inline constexpr auto deviations = [] {
          .witness = "mistake-boundary-outside",
          .advice = {"points on an outline count as outside both polygons that share it: pixels there belong to "
                     "neither. Let a product of 0 count as inside, or give such points to one of the two",
-                    "точки общей границы считаются внешними для обоих многоугольников, и пиксели там ничьи. Пусть "
+                    "точки общего ребра считаются внешними для обоих многоугольников, и пиксели там ничьи. Пусть "
                     "нулевое произведение значит «внутри», или отдайте такие точки одному из двух"}},
         {.mistake = "integer-division",
          .title = {"integer division", "деление нацело"},

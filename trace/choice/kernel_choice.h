@@ -100,7 +100,7 @@ inline constexpr std::array kernel_choices{
                  .name = "filtered",
                  .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
                  .says = {"Ordinary numbers with an error bound, exact where that cannot decide: never wrong.",
-                          "Обычные числа с оценкой погрешности, а где её мало — точные: неверных решений не бывает."},
+                          "Обычные числа с границей погрешности, а где её мало — точные: неверных решений не бывает."},
                  .is_always_right = true,
                  .runs_printed = false},
     KernelChoice{

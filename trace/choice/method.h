@@ -79,7 +79,7 @@ inline constexpr std::array method_choices{
         .says =
             {"Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest "
              "depth.",
-             "Выпуклые плоские многоугольники. Три списка; повёрнутый ребром виден как отрезок, с ближайшей глубиной."},
+             "Выпуклые плоские многоугольники. Три списка; видимый с ребра изображается отрезком, с ближайшей глубиной."},
         .rule = {"convex planar polygons, and any edge-on ones",
                  "the picture rule, except that an edge-on polygon shows as the closed segment to which it projects, "
                  "at its "
@@ -91,7 +91,7 @@ inline constexpr std::array method_choices{
             {"Closed convex bodies, each polygon counter-clockwise as seen from outside. Faces that look away are left "
              "out; "
              "of equally near ones the face that looks towards the viewer shows.",
-             "Замкнутые выпуклые тела, обход граней снаружи против часовой стрелки. Отвёрнутые грани не участвуют; из "
+             "Замкнутые выпуклые тела, обход граней снаружи против часовой стрелки. Нелицевые грани не участвуют; из "
              "одинаково близких видна обращённая к наблюдателю."},
         .procedure = Procedure::warnock,
         .rule =
@@ -106,7 +106,7 @@ inline constexpr std::array method_choices{
         .says = {"Convex planar polygons. Cuts them by one another’s outlines until what is visible is known as "
                  "regions; then "
                  "paints these.",
-                 "Выпуклые плоские многоугольники. Разрезаются границами друг друга, пока видимое не станет областями; "
+                 "Выпуклые плоские многоугольники. Разрезаются контурами друг друга, пока видимое не станет областями; "
                  "затем "
                  "области закрашиваются."},
         .procedure = Procedure::weiler_atherton},

@@ -77,8 +77,8 @@ std::string Claims::why_not(int column, int row, Color color) const {
     if (is_hole(column, row, color)) {
         return say({"pixel {}: its centre is on an outline, and in no direction does {} show beside it: outlines that "
                     "meet there must not both leave it out",
-                    "пиксель {}: его центр лежит на границе, и ни с одной стороны рядом с ним не виден {}: "
-                    "сходящиеся там границы не могут обе его не включать"},
+                    "пиксель {}: его центр лежит на контуре, и ни с одной стороны рядом с ним не виден {}: "
+                    "сходящиеся там контуры не могут обе его не включать"},
                    where, owner_of(color));
     }
     for (int p = 0; p < int(scene().polygons.size()); ++p) {

@@ -150,8 +150,8 @@ Bilingual words_of(Difference difference) {
             return {"the parts of a window in another order", "части окна в другом порядке"};
         case Difference::order_of_polygons: return {"the polygons in another order", "многоугольники в другом порядке"};
         case Difference::order_of_vertices:
-            return {"outlines in the opposite direction", "границы обходятся в обратную сторону"};
-        case Difference::outline: return {"another rule for points of an outline", "другое правило для точек границы"};
+            return {"outlines in the opposite direction", "контуры обходятся в обратную сторону"};
+        case Difference::outline: return {"another rule for points of an outline", "другое правило для точек контура"};
         case Difference::equally_near:
             return {"another one of equally near polygons", "другой из одинаково близких многоугольников"};
         case Difference::hidden_leave:

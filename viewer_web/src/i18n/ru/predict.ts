@@ -19,7 +19,7 @@ export const predict: PredictTexts = {
     split: 'разбиение у вершины',
     trial: 'ребро, задевающее окно',
     depth: 'глубина в точке',
-    edgeDepth: 'глубина многоугольника ребром',
+    edgeDepth: 'глубина многоугольника, видимого с ребра',
     fill: 'пиксели контура',
     window: 'случай окна',
     pop: 'следующее окно',
@@ -54,7 +54,7 @@ export const predict: PredictTexts = {
     depth: ({ polygon, point: at, plane }) =>
       `Depth: ${polygon} в точке ${point(at)}. В уравнении плоскости a x + b y + c z + d = 0 числа a, b, c и d равны ${plane.map(short).join('; ')}.`,
     edgeDepth: ({ polygon, point: at }) =>
-      `EdgeDepth: ${polygon} повёрнут ребром, и точка ${point(at)} лежит на его прямой.`,
+      `EdgeDepth: ${polygon} виден с ребра, и точка ${point(at)} лежит на его прямой.`,
     fill: ({ row, outline }) =>
       `FillPolygon: строка ${row} контура ${outline.map(point).join(' ')}. Пиксель покрыт, если его центр лежит между концами строки или на одном из них.`,
     window: ({ window }) => `Что станет с окном ${windowText(window)}?`,
