@@ -76,10 +76,10 @@ inline constexpr std::array method_choices{
     MethodChoice{
         .does = "the same, edge-on polygons shown, their depth taken from their edges",
         .title = {"edge-on polygons", "видимые с ребра"},
-        .says =
-            {"Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest "
-             "depth.",
-             "Выпуклые плоские многоугольники. Три списка; видимый с ребра изображается отрезком, с ближайшей глубиной."},
+        .says = {"Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest "
+                 "depth.",
+                 "Выпуклые плоские многоугольники. Три списка; видимый с ребра изображается отрезком, с ближайшей "
+                 "глубиной."},
         .rule = {"convex planar polygons, and any edge-on ones",
                  "the picture rule, except that an edge-on polygon shows as the closed segment to which it projects, "
                  "at its "
