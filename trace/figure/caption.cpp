@@ -1,7 +1,5 @@
 #include "caption.h"
 
-#include <algorithm>
-
 #include "figure_words.h"
 #include "notation.h"
 #include "parts.h"
@@ -22,18 +20,10 @@ struct Sentence {
     }
     const Text& name(PolygonPlace polygon) const { return name(polygon.index); }
     const Text& name(int polygon) const { return state.header().scene.polygons[std::size_t(polygon)].id; }
-    /// A number in the format of the language. Semicolons then separate numbers with commas.
-    Text number(const Value& value) const {
-        Text text = readable(value);
-        if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
-        return text;
-    }
-    Text pair(const Text& x, const Text& y) const { return "(" + x + say(", ", "; ") + y + ")"; }
-    Text at(const ValuePoint& point) const { return pair(number(point.x), number(point.y)); }
-    Text at(int x, int y) const { return pair(std::to_string(x), std::to_string(y)); }
-    Text name(const Window& window) const {
-        return pair(number(window.x), number(window.y)) + " " + number(window.width) + " × " + number(window.height);
-    }
+    Text number(const Value& value) const { return readable(value, language); }
+    Text at(const ValuePoint& point) const { return pair_of(number(point.x), number(point.y), language); }
+    Text at(int x, int y) const { return pair_of(std::to_string(x), std::to_string(y), language); }
+    Text name(const Window& window) const { return readable(window, language); }
     static Text listed(const std::vector<int>& edges) {
         Text text;
         for (const int edge : edges) text += (text.empty() ? "" : ", ") + std::to_string(edge);

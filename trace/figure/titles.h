@@ -50,6 +50,12 @@ inline constexpr auto scene_names = std::to_array<Bilingual>({
     {"Two triangles with part of an edge in common, and one before it",
      "Два треугольника с общей частью ребра и один перед ней"},
     {"A vertex that touches an edge", "Вершина, которая касается ребра"},
+    {"Four curves by hand", "Четыре кривые вручную"},
+    {"The side of a surface hides", "Бок поверхности заслоняет"},
+    {"A peak between two samples", "Пик между двумя отсчётами"},
+    {"The same, sampled where it bends", "Тот же пик с отсчётами там, где он изгибается"},
+    {"A curve that touches the horizon", "Кривая, которая касается горизонта"},
+    {"Waves and a pit", "Волны и яма"},
 });
 
 /// The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as they are.

@@ -147,7 +147,7 @@ std::optional<figures::PixelHistory> history_in(const FigureOptions& options, co
         return std::nullopt;
     }
     if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
-    return figures::PixelHistory(pixel_of(options.pixel, area));
+    return figures::PixelHistory(pixel_of(options.pixel, area), drawing.style.language);
 }
 
 figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
