@@ -330,6 +330,16 @@ TEST_CASE("a listing breaks between terms, neither at an operator nor in bracket
     CHECK(pieces("then P = P", "then P =") == Texts{"then", "P = P"});
     CHECK(pieces("push (Wcx, Wcy, s, s, APL₀) on AW", "(Wcx, Wcy, s, s, APL₀)") ==
           Texts{"push", "(Wcx, Wcy, s, s, APL₀)", "on AW"});
+    CHECK(
+        pieces("push (Wcx, s, APL₀) on AW, s := least 2ᵐ ≥ Wx, Wy", "push (Wcx, s, APL₀) on AW, s := least 2ᵐ ≥ Wx,") ==
+        Texts{"push (Wcx, s, APL₀) on AW,", "s := least 2ᵐ ≥ Wx, Wy"});
+    CHECK(pieces("for each other S of L: inside, outside := RegionClip(S, C)",
+                 "for each other S of L: inside, outside") ==
+          Texts{"for each other S of L:", "inside, outside := RegionClip(S, C)"});
+    // A preposition stays with its noun.
+    CHECK(pieces("first row centre in the area", "first row centre in the") ==
+          Texts{"first row centre", "in the area"});
+    CHECK(pieces("положить копии APL₀ в AW", "положить копии APL₀ в") == Texts{"положить копии APL₀", "в AW"});
     CHECK(pieces("all of it fits", "all of it fits") == Texts{"all of it fits"});
     CHECK(pieces("unbreakable b", "un") == Texts{"unbreakable", "b"});
     CHECK(pieces("", "un") == Texts{""});
