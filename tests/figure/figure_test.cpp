@@ -302,6 +302,14 @@ TEST_CASE("a caption says what happens, and else what the line of the listing sa
           "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
 }
 
+TEST_CASE("a caption says the sign of an edge at a corner") {
+    const TraceHeader header = header_of(near_before_far());
+    auto events = a_division();
+    events.push_back(event::Orient{Line::S2, {1}, 2, {8., 16.}, -4., Sign::negative, {}});
+    CHECK(caption_of(after(header, events), Language::english) == "edge 2 of B has the sign − at (8, 16)");
+    CHECK(caption_of(after(header, events), Language::russian) == "знак ребра 2 у B в точке (8; 16): −");
+}
+
 TEST_CASE("a caption writes numbers in the format of its language") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
@@ -403,6 +411,28 @@ TEST_CASE("figure --film: SVG alone, GIF and MP4 by the ffmpeg on the path, in o
     CHECK_FALSE(work.has("b.gif"));
 }
 
+TEST_CASE("figure --film: ffmpeg, where it is installed, makes a GIF and an MP4 with a picture for each step") {
+    const auto frames_in = [](const std::string& file) {
+        return output_of({"ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
+                          "csv=p=0", file},
+                         "");
+    };
+    try {
+        output_of({"ffprobe", "-version"}, "");
+    } catch (const Refused&) {
+        MESSAGE("no ffmpeg");
+        return;
+    }
+    const Workplace work;
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " VIDNO_ROOT "/lessons/01-four-relations/scene.json -o " + run).status == 0);
+    for (const std::string name : {"a.gif", "a.mp4"}) {
+        const auto made = program("figure " + run + " --steps 4..6 --film --width 4cm --dpi 31 -o " + work.file(name));
+        CHECK_MESSAGE(made.status == 0, made.text);
+        CHECK(frames_in(work.file(name)) == "3\n");
+    }
+}
+
 TEST_CASE("the figures of a course's scene have its name in their language") {
     CHECK(name_in(Language::russian, "Down to the pixel · 07") == "Вплоть до пикселя · 07");
     CHECK(name_in(Language::english, "Down to the pixel · 07") == "Down to the pixel · 07");
@@ -416,6 +446,14 @@ TEST_CASE("the figures of a course's scene have its name in their language") {
         const std::string name = read.at("name");
         CHECK_MESSAGE(name_in(Language::russian, name) != name, name);
     }
+}
+
+TEST_CASE("the figure of a failure has its title in the figure's language") {
+    const Workplace work;
+    const std::string file = VIDNO_ROOT "/lessons/failures/clip-pixel.json";
+    const std::string title = nlohmann::json::parse(read_file(file)).at("title").at("ru");
+    REQUIRE(program("figure " + file + " --language ru -o " + work.file("a.svg")).status == 0);
+    CHECK(work.read("a.svg").find("<title>" + title + " · ") != std::string::npos);
 }
 
 TEST_CASE("the marks stay where outlines entered and left the clip polygon, until the next list") {

@@ -239,7 +239,8 @@ TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
     CHECK(run.windows()[0].entries.at(1).relation == Relation::inside);
     CHECK(run.windows()[1].entries.at(1).relation == Relation::outside);
     const auto pages = worksheet(run, Language::english, true);
-    CHECK(has_line(pages[0], "Warnock (warnock-full)"));
+    CHECK(has_line(pages[0], "Warnock (three lists)"));
+    CHECK(has_line(worksheet(run, Language::russian, true)[0], "Алгоритм Варнока (три списка)"));
     // That A still surrounds is known from the first window.
     CHECK(lines_with(pages[1], "(1, 1) 1 × 1") ==
           std::vector<Texts>{{"2", "(1, 1) 1 × 1", "−", "WF9 surrounded", "A"}});

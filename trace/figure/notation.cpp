@@ -78,7 +78,9 @@ struct Note {
     std::string operator()(const event::Nearer& e) const { return name(e.polygon) + ": k = " + std::to_string(e.k); }
     std::string operator()(const event::Mark& e) const { return name(e.polygon) + ": S = true"; }
     std::string operator()(const event::Cover& e) const { return name(e.polygon) + ": hasSurround"; }
-    std::string operator()(const event::Uncover& e) const { return name(e.polygon) + ": not hasSurround"; }
+    std::string operator()(const event::Uncover& e) const {
+        return name(e.polygon) + (language == Language::russian ? ": не hasSurround" : ": not hasSurround");
+    }
     std::string operator()(const event::Decide& e) const {
         return std::string(words_of(language).cases[std::size_t(e.which)]);
     }

@@ -68,11 +68,11 @@ inline std::string name_in(Language language, const std::string& name) {
     return known == scene_names.end() ? name : std::string(known->in(language)) + name.substr(end);
 }
 
-/// The title of a method; a variant of Warnock's algorithm has its name behind it.
+/// The title of a method; a variant of Warnock's algorithm has its own title behind it.
 inline std::string title_of(Method method, Language language) {
     if (!is_family(method)) return std::string(choice_of(method).title.in(language));
     return std::string(choice_of(Method::warnock).title.in(language)) + " (" +
-           std::string(method_names[std::size_t(method)]) + ")";
+           std::string(choice_of(method).title.in(language)) + ")";
 }
 
 }  // namespace vidno::figures
