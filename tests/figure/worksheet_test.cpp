@@ -12,6 +12,7 @@
 #include "refused.h"
 #include "scene/scene_json.h"
 #include "scene/surface.h"
+#include "support/bodies.h"
 #include "support/curves.h"
 #include "support/scenes.h"
 #include "support/workplace.h"
@@ -244,6 +245,17 @@ TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
     // That A still surrounds is known from the first window.
     CHECK(lines_with(pages[1], "(1, 1) 1 × 1") ==
           std::vector<Texts>{{"2", "(1, 1) 1 × 1", "−", "WF9 surrounded", "A"}});
+}
+
+TEST_CASE("worksheet: the windows of a closed body, by hand") {
+    // Of the box around the area, only D at z = 1/2 looks towards the viewer: A looks away, and the other faces are edge-on.
+    test::SceneBuilder builder({0, 0, 4, 4});
+    test::add_body(builder, test::parallelepiped({-2, -2, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, .5}));
+    const WorkedRun run(builder.build(), Method::warnock_bodies);
+    const auto pages = worksheet(run, Language::english, true);
+    CHECK(lines_with(pages[1], "W8 surrounded") ==
+          std::vector<Texts>{{"1", "(0, 0) 4 × 4", "S 4", "W8 surrounded", "D"}});
+    CHECK(has_line(pages[1], std::string(worksheet_words_of(Language::english).legend)));
 }
 
 TEST_CASE("worksheet: the lists of Weiler and Atherton's algorithm, by hand") {

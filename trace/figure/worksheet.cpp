@@ -132,7 +132,7 @@ private:
         columns.push_back({std::string(words().painted), painted});
         std::vector<StepRow> rows;
         for (const auto& each : run_.windows()) rows.push_back({each.step, row_of(each)});
-        const bool family = is_family(run_.header().method);
+        const bool family = run_.has_relations();
         add_rows(
             words().windows, columns, std::move(rows),
             {family ? words().family_legend : words().legend, family ? words().family_decisions : words().decisions},
@@ -140,11 +140,10 @@ private:
     }
 
     Row row_of(const WorkedWindow& window) const {
-        const bool has_relations = is_family(run_.header().method);
         Row row{{readable(window.window, language())}};
         for (int i = 0; i < int(scene().polygons.size()); ++i) {
             const auto entry = window.entries.find(i);
-            const bool is_known = entry != window.entries.end() && (!has_relations || entry->second.relation);
+            const bool is_known = entry != window.entries.end() && (!run_.has_relations() || entry->second.relation);
             row.push_back({is_known ? text_of(entry->second) : ""});
         }
         const auto& label = line_names[std::size_t(window.line)];
