@@ -15,7 +15,7 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr std::size_t most_curves = 10, most_columns = 17, most_rows = 40;
+constexpr std::size_t curve_room = 10, column_room = 17, row_room = 40;
 
 class CurveWorksheet : Sheet {
 public:
@@ -213,9 +213,9 @@ private:
 
 void expect_room(const CurveScene& scene, const std::string& file) {
     if (scene.curves.empty()) throw Refused(file + ": curves: there are none");
-    expect_at_most(most_curves, scene.curves.size(), "curves", file);
-    expect_at_most(most_columns, std::size_t(scene.area.width), "columns", file);
-    expect_at_most(most_rows, std::size_t(scene.area.height), "rows", file);
+    expect_at_most(curve_room, scene.curves.size(), "curves", file);
+    expect_at_most(column_room, std::size_t(scene.area.width), "columns", file);
+    expect_at_most(row_room, std::size_t(scene.area.height), "rows", file);
 }
 
 std::vector<Drawing> worksheet(const WorkedCurves& run, Language language, bool answered,

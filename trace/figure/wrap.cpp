@@ -10,7 +10,7 @@ namespace vidno::figures {
 namespace {
 
 /// The costs of a break after a word, and of each line.
-constexpr int at_comma = 1, elsewhere = 2, after_link = 5, in_list = 6, in_brackets = 10, at_operator = 16;
+constexpr int at_comma = 1, anywhere = 2, after_link = 5, in_list = 6, in_brackets = 10, at_operator = 16;
 constexpr int each_line = 3, short_line = 4;
 constexpr double short_share = 0.45;  // of the room; a line that is filled less is short
 
@@ -76,7 +76,7 @@ void rate(std::vector<Word>& words) {
         depth += count("([{") - count(")]}");
         if (count("|") % 2 == 1) in_bars = !in_bars;
         int& badness = words[i].badness;
-        badness = word.ends_with(';') ? 0 : is_end(word) ? at_comma : is_link(word) ? after_link : elsewhere;
+        badness = word.ends_with(';') ? 0 : is_end(word) ? at_comma : is_link(word) ? after_link : anywhere;
         if (word.ends_with(',') && is_in_list(words, i)) badness = in_list;
         badness += in_brackets * int(std::max(depth, std::ptrdiff_t{0}) + in_bars);
         const std::string_view next = i + 1 < words.size() ? std::string_view(words[i + 1].text) : "";
