@@ -396,6 +396,16 @@ constexpr const char* square_on_pixel_centres =
     R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":2},"polygons":[)"
     R"({"color":"#ff0000","vertices":[[0.5,0.5,0],[1.5,0.5,0],[1.5,1.5,0],[0.5,1.5,0]]}]})";
 
+TEST_CASE("check says one pixel centre met where it is one") {
+    // On the only row, y = 1/2, the left side is at x = 1/2, a pixel's centre; the right side at 9/5 is not.
+    const Workplace work;
+    const std::string scene =
+        work.write("scene.json", R"({"window":{"x":0,"y":0,"width":2,"height":2},"polygons":[)"
+                                 R"({"vertices":[[0.5,0.2,0],[1.8,0.2,0],[1.8,0.8,0],[0.5,0.8,0]]}]})");
+    const auto checked = program("check " + scene + " --method zbuffer");
+    CHECK_MESSAGE(checked.text.find("1 pixel centre met (step ") != std::string::npos, checked.text);
+}
+
 TEST_CASE("check --list writes the exact zeros of a square on pixel centres as lines of JSON") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_on_pixel_centres);
@@ -944,7 +954,7 @@ TEST_CASE("stability: merged shards and a continued run give the bytes of a sing
     CHECK(program(campaign + "--shard 1/2 -o " + work.file("1.jsonl")).status == 0);
     const auto half = program("stability --merge " + work.file("1.jsonl"));
     CHECK(half.status == 1);
-    CHECK(half.text.find("10 of 21 blocks are missing") != std::string::npos);
+    CHECK(half.text.find("blocks missing: 10 of 21") != std::string::npos);
     CHECK(program(campaign + "--shard 2/2 -o " + work.file("2.jsonl")).status == 0);
     const auto merged = program("stability --merge " + work.file("2.jsonl") + " " + work.file("1.jsonl") + " -o " +
                                 work.file("merged.jsonl"));

@@ -239,7 +239,7 @@ TEST_CASE("the list of a scanline: the active edges with their numbers") {
         after(header, {event::Polygon{Line::Z2, {1}, header.scene.polygons[1].color}, event::Scanline{Line::Z6, 4.5, 4},
                        event::AelAdd{Line::Z8, 3, 4., 0.5, 12., 0., Value("1/3")}});
     const Drawing list = list_part(moment, {.language = Language::russian}, 80);
-    for (const std::string text : {"Активные рёбра (AEL)", "P = B, yₜ = 4.5", "3", "4", "0.5", "12", "0", "1/3"}) {
+    for (const std::string text : {"Активные рёбра (AEL)", "P = B, yₜ = 4,5", "3", "4", "0,5", "12", "0", "1/3"}) {
         CAPTURE(text);
         CHECK(has_text(list, text));
     }
@@ -252,7 +252,8 @@ TEST_CASE("the list of a scanline: on half a slide numbers have fewer digits, an
                        event::AelAdd{Line::Z8, 3, -12.34375, -0.01953125, 12., -0.0234375, -1. / 3}});
     for (const auto language : {Language::english, Language::russian}) {
         const auto texts = texts_of(list_part(moment, {.language = language, .letters = letters_of_tex}, 68));
-        for (const std::string number : {"−12.34", "−0.02", "−0.023", "−0.333"}) {
+        for (std::string number : {"−12.34", "−0.02", "−0.023", "−0.333"}) {
+            if (language == Language::russian) number.replace(number.find('.'), 1, ",");
             CHECK_MESSAGE(std::count(texts.begin(), texts.end(), number) > 0, number);
         }
         for (const auto& text : texts) CHECK_MESSAGE(text.find("…") == text.npos, text);
@@ -302,6 +303,14 @@ TEST_CASE("a caption says what happens, and else what the line of the listing sa
           "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
 }
 
+TEST_CASE("a caption says the sign of an edge at a corner") {
+    const TraceHeader header = header_of(near_before_far());
+    auto events = a_division();
+    events.push_back(event::Orient{Line::S2, {1}, 2, {8., 16.}, -4., Sign::negative, {}});
+    CHECK(caption_of(after(header, events), Language::english) == "edge 2 of B has the sign − at (8, 16)");
+    CHECK(caption_of(after(header, events), Language::russian) == "знак ребра 2 у B в точке (8; 16): −");
+}
+
 TEST_CASE("a caption writes numbers in the format of its language") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
@@ -330,6 +339,16 @@ TEST_CASE("a listing breaks between terms, neither at an operator nor in bracket
     CHECK(pieces("then P = P", "then P =") == Texts{"then", "P = P"});
     CHECK(pieces("push (Wcx, Wcy, s, s, APL₀) on AW", "(Wcx, Wcy, s, s, APL₀)") ==
           Texts{"push", "(Wcx, Wcy, s, s, APL₀)", "on AW"});
+    CHECK(
+        pieces("push (Wcx, s, APL₀) on AW, s := least 2ᵐ ≥ Wx, Wy", "push (Wcx, s, APL₀) on AW, s := least 2ᵐ ≥ Wx,") ==
+        Texts{"push (Wcx, s, APL₀) on AW,", "s := least 2ᵐ ≥ Wx, Wy"});
+    CHECK(pieces("for each other S of L: inside, outside := RegionClip(S, C)",
+                 "for each other S of L: inside, outside") ==
+          Texts{"for each other S of L:", "inside, outside := RegionClip(S, C)"});
+    // A preposition stays with its noun.
+    CHECK(pieces("first row centre in the area", "first row centre in the") ==
+          Texts{"first row centre", "in the area"});
+    CHECK(pieces("положить копии APL₀ в AW", "положить копии APL₀ в") == Texts{"положить копии APL₀", "в AW"});
     CHECK(pieces("all of it fits", "all of it fits") == Texts{"all of it fits"});
     CHECK(pieces("unbreakable b", "un") == Texts{"unbreakable", "b"});
     CHECK(pieces("", "un") == Texts{""});
@@ -393,21 +412,49 @@ TEST_CASE("figure --film: SVG alone, GIF and MP4 by the ffmpeg on the path, in o
     CHECK_FALSE(work.has("b.gif"));
 }
 
+TEST_CASE("figure --film: ffmpeg, where it is installed, makes a GIF and an MP4 with a picture for each step") {
+    const auto frames_in = [](const std::string& file) {
+        return output_of({"ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
+                          "csv=p=0", file},
+                         "");
+    };
+    try {
+        output_of({"ffprobe", "-version"}, "");
+    } catch (const Refused&) {
+        MESSAGE("no ffmpeg");
+        return;
+    }
+    const Workplace work;
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " VIDNO_ROOT "/lessons/01-four-relations/scene.json -o " + run).status == 0);
+    for (const std::string name : {"a.gif", "a.mp4"}) {
+        const auto made = program("figure " + run + " --steps 4..6 --film --width 4cm --dpi 31 -o " + work.file(name));
+        CHECK_MESSAGE(made.status == 0, made.text);
+        CHECK(frames_in(work.file(name)) == "3\n");
+    }
+}
+
 TEST_CASE("the figures of a course's scene have its name in their language") {
     CHECK(name_in(Language::russian, "Down to the pixel · 07") == "Вплоть до пикселя · 07");
     CHECK(name_in(Language::english, "Down to the pixel · 07") == "Down to the pixel · 07");
     CHECK(name_in(Language::russian, "Another scene") == "Another scene");
-    for (const auto& lesson : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
-        if (!lesson.is_directory() || !std::isdigit(static_cast<unsigned char>(lesson.path().filename().string()[0])))
-            continue;
-        for (const auto& file : std::filesystem::directory_iterator(lesson)) {
-            if (file.path().extension() != ".json") continue;
-            const auto read = nlohmann::json::parse(read_file(file.path().string()));
-            if (read.at("format") != "vidno-scene/1") continue;
-            const std::string name = read.at("name");
-            CHECK_MESSAGE(name_in(Language::russian, name) != name, name);
-        }
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(VIDNO_ROOT "/lessons")) {
+        const std::string folder = entry.path().parent_path().filename().string();
+        const bool has_scenes = std::isdigit(static_cast<unsigned char>(folder[0])) || folder == "surfaces";
+        if (!has_scenes || entry.path().extension() != ".json") continue;
+        const auto read = nlohmann::json::parse(read_file(entry.path().string()));
+        if (read.at("format") != "vidno-scene/1" && read.at("format") != "vidno-surface/1") continue;
+        const std::string name = read.at("name");
+        CHECK_MESSAGE(name_in(Language::russian, name) != name, name);
     }
+}
+
+TEST_CASE("the figure of a failure has its title in the figure's language") {
+    const Workplace work;
+    const std::string file = VIDNO_ROOT "/lessons/failures/clip-pixel.json";
+    const std::string title = nlohmann::json::parse(read_file(file)).at("title").at("ru");
+    REQUIRE(program("figure " + file + " --language ru -o " + work.file("a.svg")).status == 0);
+    CHECK(work.read("a.svg").find("<title>" + title + " · ") != std::string::npos);
 }
 
 TEST_CASE("the marks stay where outlines entered and left the clip polygon, until the next list") {
@@ -482,7 +529,7 @@ TEST_CASE("an id stands where there is no other polygon") {
 
 TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
     const TraceHeader header = header_of(near_before_far());
-    PixelHistory history({9, 9});
+    PixelHistory history({9, 9}, Language::english);
     Moment moment(header);
     for (const auto& event : a_division()) {
         moment.take(event);
@@ -503,15 +550,18 @@ TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
 }
 
 TEST_CASE("the notation of numbers") {
-    CHECK(readable(Value(-0.25)) == "−0.25");
-    CHECK(readable(Value(1. / 3)) == "0.3333");
-    CHECK(readable(Value(12.3456789)) == "12.35");
-    CHECK(readable(Value(12.3456789), 4) == "12.3");
-    CHECK(readable(Value(1e-9)) == "1.00e−09");
-    CHECK(readable(Value("-3/7")) == "−3/7");
-    CHECK(readable(Value("12/1")) == "12");
-    CHECK(readable(Value("1000000001/3000000000")) == "≈0.3333");
-    CHECK(readable(Value::minus_infinite()) == "−∞");
+    CHECK(readable(Value(-0.25), Language::english) == "−0.25");
+    CHECK(readable(Value(1. / 3), Language::english) == "0.3333");
+    CHECK(readable(Value(12.3456789), Language::english) == "12.35");
+    CHECK(readable(Value(12.3456789), Language::english, 4) == "12.3");
+    CHECK(readable(Value(1e-9), Language::english) == "1.00e−09");
+    CHECK(readable(Value("-3/7"), Language::english) == "−3/7");
+    CHECK(readable(Value("12/1"), Language::english) == "12");
+    CHECK(readable(Value("1000000001/3000000000"), Language::english) == "≈0.3333");
+    CHECK(readable(Value::minus_infinite(), Language::english) == "−∞");
+    CHECK(readable(Value(-0.25), Language::russian) == "−0,25");
+    CHECK(readable(Window{0.5, 1, 2, 2}, Language::english) == "(0.5, 1) 2 × 2");
+    CHECK(readable(Window{0.5, 1, 2, 2}, Language::russian) == "(0,5; 1) 2 × 2");
     // 10^40 / (4 * 10^40): no double holds its parts exactly.
     CHECK(number_of(Value("1" + std::string(40, '0') + "/4" + std::string(40, '0'))) == doctest::Approx(0.25));
 }
@@ -634,7 +684,7 @@ TEST_CASE("TikZ: no character is left that a text font may lack") {
         }
     }
     for (const auto& label : all<Label>(strip_of_all({}))) expect_plain(label.text);
-    for (const double value : {-1., 1e-9, 1. / 0.}) expect_plain(readable(Value(value)));
+    for (const double value : {-1., 1e-9, 1. / 0.}) expect_plain(readable(Value(value), Language::english));
 }
 
 TEST_CASE("TikZ: characters that are special in TeX are written as text") {

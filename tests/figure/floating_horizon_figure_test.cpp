@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "figure/caption.h"
 #include "figure/figure.h"
 #include "figure/floating_horizon_parts.h"
 #include "figure/writers.h"
@@ -110,6 +111,23 @@ TEST_CASE("curve figure: listing, legend and flags in both languages") {
     events.push_back(next);
     CHECK_MESSAGE(has_text(curve_legend(after(header, events), {}, 80), "x = 0, Pflag = −1; x′ = 1, Tflag = 1"),
                   "in 8 cm, too");
+}
+
+TEST_CASE("curve figure: a caption says what happens to the curve and the horizons") {
+    const FloatingHorizonHeader header = crossing_curves();
+    const event::Visibility hidden{Line::FH5, {0, 4}, 3, VisibilityFlag::hidden, {}};
+    auto events = some_events();
+    const auto said = [&](const std::vector<Event>& next, Language language) {
+        events.insert(events.end(), next.begin(), next.end());
+        return caption_of(after(header, events), language);
+    };
+    CHECK(said({hidden}, Language::english) == "over column 3 the curve is hidden");
+    CHECK(said({event::Call{Line::FH7, Procedure::intersection},
+                event::Intersection{Line::FH7, {0, 4}, {2.5, 8.}, {2, 3}}},
+               Language::russian) == "кривая встречает горизонт в точке (2,5; 8)");
+    CHECK(said({event::Call{Line::FH7, Procedure::horizon}, event::Raise{Line::H2, 3, 7.5}}, Language::english) ==
+          "over column 3 the upper horizon rises to 7.5");
+    CHECK(caption_of(after(header, events), Language::russian) == "над столбцом 3 верхний горизонт поднимается до 7,5");
 }
 
 TEST_CASE("curve figure: the printed edition has the printed listing") {

@@ -4,11 +4,16 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
+
 #include "figure/worksheet_words.h"
 #include "output.h"
 #include "page/program.h"
 #include "refused.h"
 #include "scene/scene_json.h"
+#include "scene/surface.h"
+#include "support/bodies.h"
+#include "support/curves.h"
 #include "support/scenes.h"
 #include "support/workplace.h"
 
@@ -27,6 +32,17 @@ AdmittedScene a_pixel_before_a_wall() {
 AdmittedScene a_slope() {
     return test::SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, .5}, {0, 4, .5}}).build();
 }
+
+/// The curves of the first exercise of lesson 15.
+Surface three_curves() {
+    return {"", test::CurveSceneBuilder({0, 0, 5, 8})
+                    .curve({{0, 4}, {4, 4}})
+                    .curve({{0, 6}, {4, 2}})
+                    .curve({{0, 2}, {2, 5}, {4, 2}})
+                    .build()};
+}
+
+Surface read_curves(const std::string& file) { return read_surface(read_file(file), file); }
 
 std::vector<Label> labels_of(const Drawing& page) {
     std::vector<Label> labels;
@@ -130,8 +146,22 @@ TEST_CASE("worksheet: the blank one is the key without the answers") {
     }
 }
 
-TEST_CASE("worksheet: texts do not overlap, and all are on the paper") {
+/// No two texts overlap, and none leaves the paper.
+void expect_readable(const std::vector<Drawing>& pages) {
     const Box paper{10, 10, 190, 280};
+    for (const auto& page : pages) {
+        const auto labels = labels_of(page);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            CAPTURE(labels[i].text);
+            CHECK(paper.holds(box_of(labels[i])));
+            for (std::size_t j = 0; j < i; ++j) {
+                CHECK_MESSAGE(!box_of(labels[i]).overlaps(box_of(labels[j])), labels[j].text);
+            }
+        }
+    }
+}
+
+TEST_CASE("worksheet: texts do not overlap, and all are on the paper") {
     const std::string lessons = VIDNO_ROOT "/lessons/";
     for (const auto& [file, method] : {std::pair(lessons + "01-four-relations/scene.json", Method::warnock),
                                        std::pair(lessons + "09-usual-mistakes/mistakes.json", Method::warnock),
@@ -140,16 +170,13 @@ TEST_CASE("worksheet: texts do not overlap, and all are on the paper") {
                                        std::pair(lessons + "08-show-line/scene.json", Method::zbuffer)}) {
         for (const Language language : {Language::english, Language::russian}) {
             const WorkedRun run(read(file), method);
-            for (const auto& page : worksheet(run, language, true)) {
-                const auto labels = labels_of(page);
-                for (std::size_t i = 0; i < labels.size(); ++i) {
-                    CAPTURE(labels[i].text);
-                    CHECK(paper.holds(box_of(labels[i])));
-                    for (std::size_t j = 0; j < i; ++j) {
-                        CHECK_MESSAGE(!box_of(labels[i]).overlaps(box_of(labels[j])), labels[j].text);
-                    }
-                }
-            }
+            expect_readable(worksheet(run, language, true));
+        }
+    }
+    for (const std::string name : {"scene", "edges"}) {
+        const WorkedCurves run(read_curves(lessons + "15-floating-horizon/" + name + ".json"));
+        for (const Language language : {Language::english, Language::russian}) {
+            expect_readable(worksheet(run, language, true));
         }
     }
 }
@@ -213,10 +240,22 @@ TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
     CHECK(run.windows()[0].entries.at(1).relation == Relation::inside);
     CHECK(run.windows()[1].entries.at(1).relation == Relation::outside);
     const auto pages = worksheet(run, Language::english, true);
-    CHECK(has_line(pages[0], "Warnock (warnock-full)"));
+    CHECK(has_line(pages[0], "Warnock (three lists)"));
+    CHECK(has_line(worksheet(run, Language::russian, true)[0], "Алгоритм Варнока (три списка)"));
     // That A still surrounds is known from the first window.
     CHECK(lines_with(pages[1], "(1, 1) 1 × 1") ==
           std::vector<Texts>{{"2", "(1, 1) 1 × 1", "−", "WF9 surrounded", "A"}});
+}
+
+TEST_CASE("worksheet: the windows of a closed body, by hand") {
+    // Of the box around the area, only D at z = 1/2 looks towards the viewer: A looks away, and the other faces are edge-on.
+    test::SceneBuilder builder({0, 0, 4, 4});
+    test::add_body(builder, test::parallelepiped({-2, -2, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, .5}));
+    const WorkedRun run(builder.build(), Method::warnock_bodies);
+    const auto pages = worksheet(run, Language::english, true);
+    CHECK(lines_with(pages[1], "W8 surrounded") ==
+          std::vector<Texts>{{"1", "(0, 0) 4 × 4", "S 4", "W8 surrounded", "D"}});
+    CHECK(has_line(pages[1], std::string(worksheet_words_of(Language::english).legend)));
 }
 
 TEST_CASE("worksheet: the lists of Weiler and Atherton's algorithm, by hand") {
@@ -226,6 +265,88 @@ TEST_CASE("worksheet: the lists of Weiler and Atherton's algorithm, by hand") {
     const auto pages = worksheet(run, Language::english, true);
     CHECK(lines_with(pages[1], "C visible") == std::vector<Texts>{{"1", "B", "B, A", "A", "A", "∅", "C visible"},
                                                                   {"2", "A", "A", "∅", "∅", "∅", "C visible"}});
+}
+
+TEST_CASE("worksheet: flags, horizons and meetings of three curves, by hand in lesson 15") {
+    const WorkedCurves run(three_curves());
+    const auto pages = worksheet(run, Language::english, true);
+    REQUIRE(pages.size() == 2);
+    CHECK(has_line(pages[0], "(0, 2); (2, 5); (4, 2)"));
+    CHECK(lines_with(pages[1], "y") == std::vector<Texts>{{"y", "4", "4", "4", "4", "4"},
+                                                          {"y", "6", "5", "4", "3", "2"},
+                                                          {"y", "2", "7/2", "5", "7/2", "2"}});
+    CHECK(lines_with(pages[1], "flag") == std::vector<Texts>{{"flag", "±1", "±1", "±1", "±1", "±1"},
+                                                             {"flag", "−1", "−1", "±1", "1", "1"},
+                                                             {"flag", "1", "1", "−1", "0", "1"}});
+    CHECK(lines_with(pages[1], "upper") == std::vector<Texts>{{"upper", "4", "4", "4", "4", "4"},
+                                                              {"upper", "4", "4", "4", "3", "2"},
+                                                              {"upper", "2", "7/2", "4", "3", "2"}});
+    CHECK(lines_with(pages[1], "lower") == std::vector<Texts>{{"lower", "4", "4", "4", "4", "4"},
+                                                              {"lower", "6", "5", "4", "4", "4"},
+                                                              {"lower", "6", "5", "5", "4", "4"}});
+    // Curve 1 is visible throughout. Curve 2 changes sides between columns 1 and 2, ends before column 3, and touches on column 4.
+    CHECK(lines_with(pages[1], "meets") ==
+          std::vector<Texts>{{"meets", "—"},
+                             {"meets", "—"},
+                             {"meets", "upper (4/3, 4);  lower (8/5, 22/5);  lower (8/3, 4);  upper (4, 2)"}});
+}
+
+TEST_CASE("worksheet: the blank sheet of curves has the samples' heights and nothing else that is found") {
+    const auto blank = worksheet(WorkedCurves(three_curves()), Language::english, false);
+    CHECK(lines_with(blank[1], "y") == std::vector<Texts>{{"y", "4", "4"}, {"y", "6", "2"}, {"y", "2", "5", "2"}});
+    for (const std::string line : {"flag", "meets", "upper", "lower"}) {
+        CHECK(lines_with(blank[1], line) == std::vector<Texts>(3, Texts{line}));
+    }
+}
+
+TEST_CASE("worksheet: chosen curves alone, with the curve before them filled in") {
+    const WorkedCurves run(three_curves());
+    const auto third = worksheet(run, Language::english, false, ChosenRows{3, 3});
+    CHECK(lines_with(third[1], "flag") == std::vector<Texts>{{"flag", "−1", "−1", "±1", "1", "1"}, {"flag"}});
+    CHECK_FALSE(has_line(third[1], "curve 0"));
+    const std::uint64_t step = run.curves()[1].step;
+    const auto by_step = worksheet(run, Language::english, false, ChosenRows{step, step, true});
+    CHECK(has_line(by_step[1], "curve 1"));
+    CHECK_FALSE(has_line(by_step[1], "curve 2"));
+    CHECK_THROWS_AS(worksheet(run, Language::english, false, ChosenRows{4, 9}), Refused);
+}
+
+TEST_CASE("worksheet: between the ends of two curves the side edges count") {
+    // Curve 1 begins 4 columns to the right of curve 0 and 4 higher: over columns 1 to 3 the left edge is at 8, 7, 6.
+    const WorkedCurves run(
+        {"", test::CurveSceneBuilder({0, 0, 9, 10}).curve({{0, 9}, {4, 9}}).curve({{4, 5}, {8, 5}}).build()});
+    const auto page = worksheet(run, Language::english, true)[1];
+    CHECK(lines_with(page, "upper")[1] == Texts{"upper", "9", "8", "7", "6", "5", "5", "5", "5", "5"});
+    CHECK(has_line(page, std::string(worksheet_words_of(Language::english).sides_legend)));
+    const auto without = worksheet(WorkedCurves(three_curves()), Language::english, true)[1];
+    CHECK_FALSE(has_line(without, std::string(worksheet_words_of(Language::english).sides_legend)));
+}
+
+TEST_CASE("worksheet: Russian sheets have decimal commas, and semicolons between coordinates") {
+    const auto has_point = [](const std::string& text) {
+        const auto is_digit = [&](std::size_t at) { return std::isdigit(static_cast<unsigned char>(text[at])); };
+        for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+            if (text[i] == '.' && is_digit(i - 1) && is_digit(i + 1)) return true;
+        }
+        return false;
+    };
+    const auto expect_commas = [&](const std::vector<Drawing>& pages) {
+        for (const auto& page : pages) {
+            for (const Label& label : labels_of(page)) CHECK_MESSAGE(!has_point(label.text), label.text);
+        }
+    };
+    for (std::size_t i = 0; i < method_names.size(); ++i) {
+        if (choice_of(Method(i)).takes_closed_bodies) continue;
+        CAPTURE(method_names[i]);
+        const auto pages = worksheet(WorkedRun(a_pixel_before_a_wall(), Method(i)), Language::russian, true);
+        expect_commas(pages);
+        CHECK(has_line(pages[0], "0,25"));
+    }
+    CHECK(has_line(worksheet(WorkedRun(a_pixel_before_a_wall(), Method::warnock), Language::russian, true)[1],
+                   "(0; 0) 2 × 2"));
+    const WorkedCurves curves({"", test::CurveSceneBuilder({0, 0, 3, 4}).curve({{0, 2.5}, {2, 1}}).build()});
+    expect_commas(worksheet(curves, Language::russian, true));
+    CHECK(has_line(worksheet(curves, Language::russian, true)[0], "(0; 2,5); (2; 1)"));
 }
 
 TEST_CASE("worksheet: a scene of the course has its name in the sheet's language") {
@@ -258,6 +379,32 @@ TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears"
     CHECK(reason(wall + to + " --rows 5..2").find("this range contains no row") != std::string::npos);
     CHECK(reason(wall + to + " --rows few").find("not N or A..B") != std::string::npos);
     CHECK(work.files() == 3);
+}
+
+TEST_CASE("worksheet: a surface has the floating horizon's sheets, and no others") {
+    const Workplace work;
+    const std::string curves = work.write("curves.json", surface_json(three_curves()));
+    const std::string wide = work.write(
+        "wide.json", surface_json({"", test::CurveSceneBuilder({0, 0, 18, 4}).curve({{0, 1}, {17, 2}}).build()}));
+    const std::string wall = work.write("wall.json", scene_json(a_pixel_before_a_wall()));
+    const auto reason = [&](const std::string& arguments) {
+        const auto refused = program("worksheet " + arguments + " -o " + work.file("refused.pdf"));
+        CHECK(refused.status == 2);
+        return refused.text;
+    };
+    CHECK(reason(wide).find("18 columns, a worksheet has room for 17") != std::string::npos);
+    CHECK(reason(curves + " --method zbuffer").find("a surface, which only --method floating-horizon draws") !=
+          std::string::npos);
+    CHECK(reason(wall + " --method floating-horizon").find("is not a surface") != std::string::npos);
+    CHECK(reason(curves + " --rows 4..5").find("rows in all: 3") != std::string::npos);
+    CHECK_FALSE(work.has("refused.pdf"));
+
+    const std::string call = "worksheet " + curves + " --method floating-horizon --language ru -o ";
+    REQUIRE(program(call + work.file("blank.pdf") + " --key " + work.file("key.pdf")).status == 0);
+    CHECK(output_of({"pdftotext", work.file("blank.pdf"), "-"}, "").find("Плавающий горизонт") != std::string::npos);
+    CHECK(output_of({"pdftotext", work.file("key.pdf"), "-"}, "").find("верхний (4/3; 4)") != std::string::npos);
+    CHECK_MESSAGE(program("worksheet " + wall + " " + curves + " -o " + work.file("both.pdf")).status == 0,
+                  "each with its own algorithm");
 }
 
 }  // namespace vidno::figures

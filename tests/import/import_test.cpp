@@ -188,7 +188,7 @@ TEST_CASE("faces that are not planar or not convex are cut into triangles") {
         const auto [scene, warnings] =
             import_mesh("v 0 0 0\nv 4 0 0\nv 4 4 1\nv 0 4 0\nf 1 2 3 4\n", "q.obj", from_the_front());
         CHECK(ids(scene) == std::vector<std::string>{"0.1", "0.2"});
-        CHECK(warnings.front() == "q.obj: 1 faces read, 0 dropped; 1 cut into triangles");
+        CHECK(warnings.front() == "q.obj: 1 face read, 0 dropped; 1 cut into triangles");
     }
     SUBCASE("an L of six corners: 4 triangles that cover its area of 12 and no more") {
         const auto [scene, warnings] = import_mesh(

@@ -8,6 +8,7 @@
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
+#include "counted.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "run/floating_horizon_run.h"
@@ -80,17 +81,27 @@ void print(const DecisionReport& report) {
     }
 }
 
-constexpr std::array<std::string_view, coincidence_names.size()> coincidence_titles{
-    "points on a line",  "equal depths",           "parallel lines",     "shared points",
-    "pixel centres met", "boxes touching windows", "curves on horizons", "equal numbers"};
+struct CoincidenceTitle {
+    std::string_view one, several;
+};
+constexpr std::array<CoincidenceTitle, coincidence_names.size()> coincidence_titles{{
+    {"point on a line", "points on a line"},
+    {"pair of equal depths", "pairs of equal depths"},
+    {"pair of parallel lines", "pairs of parallel lines"},
+    {"shared point", "shared points"},
+    {"pixel centre met", "pixel centres met"},
+    {"box touching a window", "boxes touching windows"},
+    {"curve on a horizon", "curves on horizons"},
+    {"pair of equal numbers", "pairs of equal numbers"},
+}};
 
 void print(const FindingList& findings) {
     std::string zeros;
     for (std::size_t i = 0; i < findings.zeros().size(); ++i) {
         const auto& [count, first] = findings.zeros()[i];
         if (count == 0) continue;
-        zeros += (zeros.empty() ? "" : ", ") + std::to_string(count) + ' ' + std::string(coincidence_titles[i]) +
-                 " (step " + std::to_string(first) + ')';
+        const auto& [one, several] = coincidence_titles[i];
+        zeros += (zeros.empty() ? "" : ", ") + counted(count, one, several) + " (step " + std::to_string(first) + ')';
     }
     std::cout << "exact zeros: " << (zeros.empty() ? "none" : zeros) << '\n';
 }

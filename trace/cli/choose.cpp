@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/scene_files.h"
+#include "counted.h"
 #include "scene/snapped_scene.h"
 
 namespace vidno::cli {
@@ -64,8 +65,9 @@ bool print_certificate(const Candidate& chosen, const AdmittedScene& scene) {
     const CheckReport certain = check_run(filtered, right_picture(scene));
     const auto& by = certain.decided_by;
     std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
-              << " under filtered, which made " << sum_of(by) << " comparisons;\n  coordinates as given decided "
-              << by[std::size_t(FilterStage::given)] << " of them, an error bound "
+              << " under filtered, which made " << counted(sum_of(by), "comparison", "comparisons")
+              << ";\n  coordinates as given decided " << by[std::size_t(FilterStage::given)]
+              << " of them, an error bound "
               << by[std::size_t(FilterStage::scene)] + by[std::size_t(FilterStage::operands)]
               << ", and what no bound could decide, " << by[std::size_t(FilterStage::exact)]
               << ", exact arithmetic;\n  a run in exact rationals "

@@ -199,7 +199,7 @@ int merge(const StabilityOptions& options) {
     print(results);
     const int status = verdict(results);
     if (results.missing() == 0) return status;
-    std::cerr << results.missing() << " of " << results.blocks().size() << " blocks are missing\n";
+    std::cerr << "blocks missing: " << results.missing() << " of " << results.blocks().size() << '\n';
     return 1;
 }
 

@@ -5,6 +5,7 @@
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
+#include "counted.h"
 #include "output.h"
 #include "run/write_trace.h"
 
@@ -39,7 +40,8 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     const bool whole = options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
     if (!whole) {
         progress.clear();
-        std::cerr << options.output << ": partial: stopped after " << writer.events() << " events (--max-events)\n";
+        std::cerr << options.output << ": partial: stopped after " << counted(writer.events(), "event", "events")
+                  << " (--max-events)\n";
     }
     file.commit();
     return whole ? 0 : 1;

@@ -36,8 +36,8 @@ public:
     Sheets(bool answered, Language language, const std::optional<figures::ChosenRows>& chosen)
         : answered_(answered), language_(language), chosen_(chosen) {}
 
-    void add(const figures::WorkedRun& run) {
-        const figures::About about{figures::name_in(language_, run.scene().name), language_};
+    void add(const auto& run, const std::string& name) {
+        const figures::About about{figures::name_in(language_, name), language_};
         if (pages_.empty()) about_ = about;
         for (const auto& page : figures::worksheet(run, language_, answered_, chosen_)) {
             pages_.push_back(figures::svg_of(page, about));
@@ -99,6 +99,17 @@ int moodle_questions(const WorksheetOptions& options) {
     return is_whole(reader) ? 0 : 1;
 }
 
+/// Runs a scene of the options and hands on what is worked by hand.
+void work(const AdmittedScene& scene, const RunOptions& options, const auto& add) {
+    figures::expect_room(scene, options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
+    add(figures::WorkedRun(scene, method_of(options)), scene->name);
+}
+void work(const Surface& surface, const RunOptions& options, const auto& add) {
+    figures::expect_room(surface.curves, options.scene);
+    add(figures::WorkedCurves(surface), surface.name);
+}
+
 int worksheet(const WorksheetOptions& options) {
     if (options.output.ends_with(".xml")) return moodle_questions(options);
     expect_pdf(options.output);
@@ -106,17 +117,17 @@ int worksheet(const WorksheetOptions& options) {
     if (options.key == options.output) throw Refused("--key " + *options.key + ": this file gets the blank sheets");
     if (options.count) throw Refused("--count: " + options.output + " gets sheets, not questions");
     const auto language = Language(place_in(language_codes, options.language));
-    const auto method = Method(place_in(method_names, options.method.value_or("warnock")));
     const auto chosen = chosen_rows(options);
     Sheets blank(false, language, chosen), key(true, language, chosen);
     Progress progress("scenes");
     for (std::size_t i = 0; i < options.files.size(); ++i) {
-        const AdmittedScene scene = scene_from(options.files[i]);
-        figures::expect_room(scene, options.files[i]);
-        if (const auto refusal = refusal_of(method, *scene)) throw Refused(options.files[i] + ": " + *refusal);
-        const figures::WorkedRun run(scene, method);
-        blank.add(run);
-        if (options.key) key.add(run);
+        RunOptions run{options.files[i], options.method, {}, {}};
+        const AnyScene any = any_scene_for(run);
+        const auto add = [&](const auto& worked, const std::string& name) {
+            blank.add(worked, name);
+            if (options.key) key.add(worked, name);
+        };
+        std::visit([&](const auto& scene) { work(scene, run, add); }, any);
         progress.show(i + 1, options.files.size());
     }
     progress.clear();
@@ -131,15 +142,19 @@ void add_worksheet(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand(
         "worksheet", "Print scenes with tables to fill in by hand, or write questions about a run");
     const auto options = std::make_shared<WorksheetOptions>();
-    command.add_option("SCENE|TRACE", options->files, "For .pdf, scene files, vidno-scene/1; for .xml, one trace")
+    command
+        .add_option("SCENE|TRACE", options->files,
+                    "For .pdf, scene files, vidno-scene/1 or vidno-surface/1; for .xml, one trace")
         ->required();
     command.add_option("--language", options->language, "The language of the sheets or questions")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
-    command.add_option("--method", options->method, "For .pdf: the algorithm to work through [warnock]")
-        ->check(CLI::IsMember(words(method_names)));
-    auto* rows =
-        command.add_option("--rows", options->rows, "For .pdf: the rows of the table, N or A..B [all that fit]");
+    command
+        .add_option("--method", options->method,
+                    "For .pdf: the algorithm to work through [warnock; for a surface floating-horizon]")
+        ->check(CLI::IsMember(all_methods()));
+    auto* rows = command.add_option(
+        "--rows", options->rows, "For .pdf: the rows of the table, for a surface its curves, N or A..B [all that fit]");
     command.add_option("--steps", options->steps, "For .pdf: the rows that begin at the steps A..B of the exact run")
         ->excludes(rows);
     command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
@@ -154,6 +169,7 @@ void add_worksheet(CLI::App& program, int& status) {
     command.footer(
         "Examples: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf\n"
         "          vidno worksheet homework/*.json --rows 13..24 -o sheets.pdf   (row 12 is filled in)\n"
+        "          vidno worksheet surface.json -o sheets.pdf --key keys.pdf   (the floating horizon)\n"
         "          vidno worksheet run.jsonl.gz --language ru -o questions.xml   (needs Node)");
     command.callback([options, &status] { status = worksheet(*options); });
 }

@@ -1,7 +1,5 @@
 #include "caption.h"
 
-#include <algorithm>
-
 #include "figure_words.h"
 #include "notation.h"
 #include "parts.h"
@@ -10,9 +8,8 @@ namespace vidno::figures {
 
 namespace {
 
-/// The sentences of the events that have one. The others are described by their line of the listing.
-struct Sentence {
-    const State& state;
+/// Text, numbers and points in a language.
+struct Sayer {
     Language language;
 
     using Text = std::string;
@@ -20,19 +17,22 @@ struct Sentence {
     Text say(const Text& english, const Text& russian) const {
         return InEachLanguage<Text>{english, russian}.in(language);
     }
+    Text number(const Value& value) const { return readable(value, language); }
+    Text at(const ValuePoint& point) const { return pair_of(number(point.x), number(point.y), language); }
+    Text at(int x, int y) const { return pair_of(std::to_string(x), std::to_string(y), language); }
+};
+
+/// The sentences of the events that have one. The others are described by their line of the listing.
+struct Sentence : Sayer {
+    const State& state;
+
     const Text& name(PolygonPlace polygon) const { return name(polygon.index); }
     const Text& name(int polygon) const { return state.header().scene.polygons[std::size_t(polygon)].id; }
-    /// A number in the format of the language. Semicolons then separate numbers with commas.
-    Text number(const Value& value) const {
-        Text text = readable(value);
-        if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
+    Text name(const Window& window) const { return readable(window, language); }
+    Text names(const std::vector<PolygonPlace>& polygons) const {
+        Text text;
+        for (const auto polygon : polygons) text += (text.empty() ? "" : ", ") + name(polygon);
         return text;
-    }
-    Text pair(const Text& x, const Text& y) const { return "(" + x + say(", ", "; ") + y + ")"; }
-    Text at(const ValuePoint& point) const { return pair(number(point.x), number(point.y)); }
-    Text at(int x, int y) const { return pair(std::to_string(x), std::to_string(y)); }
-    Text name(const Window& window) const {
-        return pair(number(window.x), number(window.y)) + " " + number(window.width) + " × " + number(window.height);
     }
     static Text listed(const std::vector<int>& edges) {
         Text text;
@@ -172,26 +172,129 @@ struct Sentence {
     Text operator()(const event::Show& e) const {
         return say(name(e.polygon) + " is visible there", name(e.polygon) + " там виден");
     }
+    Text operator()(const event::Plane& e) const {
+        return say("the plane of " + name(e.polygon) + " is found", "найдена плоскость " + name(e.polygon));
+    }
+    Text operator()(const event::Count& e) const {
+        return say(name(e.polygon) + " is counted: " + std::to_string(e.count),
+                   name(e.polygon) + " учтён: " + std::to_string(e.count));
+    }
+    Text operator()(const event::PointColor& e) const {
+        return say("the colour at " + at(e.point) + " is found", "найден цвет в точке " + at(e.point));
+    }
+    Text operator()(const event::Orient& e) const {
+        const Text edge = std::to_string(e.edge);
+        const Text sign = e.sign == Sign::zero ? "0" : e.sign == Sign::positive ? "+" : "−";
+        return say("edge " + edge + " of " + name(e.polygon) + " has the sign " + sign + " at " + at(e.point),
+                   "знак ребра " + edge + " у " + name(e.polygon) + " в точке " + at(e.point) + ": " + sign);
+    }
+    Text operator()(const event::AelSort& e) const {
+        return say("the active edges in order: " + listed(e.edges), "активные рёбра по порядку: " + listed(e.edges));
+    }
+    Text operator()(const event::Slope& e) const {
+        return say("the depth changes by " + number(e.dz) + " a pixel",
+                   "глубина меняется на " + number(e.dz) + " за пиксель");
+    }
+    Text operator()(const event::RelationFound& e) const {
+        const Text& polygon = name(e.polygon);
+        switch (e.relation) {
+            case Relation::outside: return say(polygon + " is outside the window", polygon + " вне окна");
+            case Relation::inside: return say(polygon + " is inside the window", polygon + " внутри окна");
+            case Relation::intersecting: return say(polygon + " intersects the window", polygon + " пересекает окно");
+            case Relation::surrounding: return say(polygon + " surrounds the window", polygon + " охватывает окно");
+        }
+        return {};
+    }
+    Text operator()(const event::Hiding& e) const {
+        if (!e.polygon) return say("no polygon hides all others", "ни один многоугольник не закрывает остальные");
+        return say(name(*e.polygon) + " hides all others", name(*e.polygon) + " закрывает остальные");
+    }
+    Text operator()(const event::Sorted& e) const {
+        return say("the nearest first: " + names(e.polygons), "начиная с ближнего: " + names(e.polygons));
+    }
+    Text operator()(const event::Pierce& e) const {
+        return say(name(e.polygon) + " and " + name(e.other) + " pierce each other",
+                   name(e.polygon) + " и " + name(e.other) + " протыкают друг друга");
+    }
+    Text operator()(const event::GreatestDepth& e) const {
+        return say("the greatest depth of " + name(e.polygon) + " is " + number(e.z),
+                   "наибольшая глубина у " + name(e.polygon) + ": " + number(e.z));
+    }
     Text operator()(const auto&) const { return {}; }
 };
 
-std::string line_or_start(const auto& moment, Language language) {
-    const auto at = moment.event() ? moment.event()->visit([](const auto& e) { return std::optional<Line>(e.at); })
-                                   : std::optional<Line>();
-    if (!at) return std::string(words_of(language).start);
-    return std::string(line_names[std::size_t(*at)]) + ": " + text_of(*at, moment.header().edition, language);
+/// The same for a run of curves.
+struct CurveSentence : Sayer {
+    Text operator()(const event::Horizons& e) const {
+        if (e.upper) return {};
+        return say("there are no horizons yet", "горизонтов ещё нет");
+    }
+    Text operator()(const event::Curve& e) const {
+        const Text curve = std::to_string(e.curve);
+        return say("curve " + curve + " begins", "начинается кривая " + curve);
+    }
+    Text operator()(const event::SideEdge& e) const {
+        const Text sample = pair_of(std::to_string(e.sample.first), number(e.sample.second), language);
+        return e.at == Line::FH3 ? say("the left edge reaches " + sample, "левое ребро дошло до " + sample)
+                                 : say("the right edge reaches " + sample, "правое ребро дошло до " + sample);
+    }
+    Text operator()(const event::Height& e) const {
+        const Text x = std::to_string(e.x), y = number(e.y);
+        return say("over column " + x + " the curve is at " + y, "над столбцом " + x + " кривая на высоте " + y);
+    }
+    Text operator()(const event::Visibility& e) const {
+        const Text over = say("over column ", "над столбцом ") + std::to_string(e.x);
+        switch (e.flag) {
+            case VisibilityFlag::above: return over + say(" the curve is visible from above", " кривая видна сверху");
+            case VisibilityFlag::below: return over + say(" the curve is visible from below", " кривая видна снизу");
+            case VisibilityFlag::both:
+                return over + say(" the curve is visible from both sides", " кривая видна с обеих сторон");
+            case VisibilityFlag::hidden: return over + say(" the curve is hidden", " кривая скрыта");
+        }
+        return {};
+    }
+    Text operator()(const event::Intersection& e) const {
+        return say("the curve meets the horizon at " + at(e.point), "кривая встречает горизонт в точке " + at(e.point));
+    }
+    Text operator()(const event::DrawLine& e) const {
+        return say("the curve is drawn from " + at(e.from) + " to " + at(e.to),
+                   "кривая рисуется от " + at(e.from) + " до " + at(e.to));
+    }
+    Text operator()(const event::Horizon& e) const {
+        if (e.last < e.first) return say("the horizons stay as they are", "горизонты не меняются");
+        const Text columns = std::to_string(e.first) + "–" + std::to_string(e.last);
+        return say("the horizons now include the curve over columns " + columns,
+                   "горизонты учли кривую над столбцами " + columns);
+    }
+    Text operator()(const event::Raise& e) const {
+        const Text x = std::to_string(e.x), y = number(e.y);
+        return say("over column " + x + " the upper horizon rises to " + y,
+                   "над столбцом " + x + " верхний горизонт поднимается до " + y);
+    }
+    Text operator()(const event::Lower& e) const {
+        const Text x = std::to_string(e.x), y = number(e.y);
+        return say("over column " + x + " the lower horizon sinks to " + y,
+                   "над столбцом " + x + " нижний горизонт опускается до " + y);
+    }
+    Text operator()(const auto&) const { return {}; }
+};
+
+std::string said_or_line(const auto& moment, const auto& sentence) {
+    if (!moment.event()) return std::string(words_of(sentence.language).start);
+    const std::string said = moment.event()->visit(sentence);
+    if (!said.empty()) return said;
+    const Line at = moment.event()->visit([](const auto& e) { return e.at; });
+    return std::string(line_names[std::size_t(at)]) + ": " + text_of(at, moment.header().edition, sentence.language);
 }
 
 }  // namespace
 
 std::string caption_of(const Moment& moment, Language language) {
-    std::string said;
-    if (moment.event()) said = moment.event()->visit(Sentence{moment.state(), language});
-    return said.empty() ? line_or_start(moment, language) : said;
+    return said_or_line(moment, Sentence{{language}, moment.state()});
 }
 
 std::string caption_of(const FloatingHorizonMoment& moment, Language language) {
-    return line_or_start(moment, language);
+    return said_or_line(moment, CurveSentence{{language}});
 }
 
 std::string letter_of(std::size_t place) {

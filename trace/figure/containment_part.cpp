@@ -31,7 +31,7 @@ public:
         for (const auto& turn : turns) {
             const auto [a, b] = ends_of(polygon_of(turn), turn.edge);
             const std::string sign = turn.difference > 0 ? "+" : "";
-            note(plane().at((a.x + b.x) / 2, (a.y + b.y) / 2), sign + in_full(turn.difference));
+            note(plane().at((a.x + b.x) / 2, (a.y + b.y) / 2), sign + integer_text(turn.difference));
         }
     }
 
@@ -49,7 +49,7 @@ private:
         const double x = from.x + way * (to.x - from.x);
         const Box& shown = plane().shown;
         point(Point{x, row}, ray.counts > 0, ink);
-        note({std::clamp(x, shown.x + beside, shown.right() - beside), row - beside}, in_full(ray.counts));
+        note({std::clamp(x, shown.x + beside, shown.right() - beside), row - beside}, integer_text(ray.counts));
     }
 
     /// The lines of the window's sides divide the plane into octants, clockwise from 0 at the upper left.
@@ -62,7 +62,7 @@ private:
         const double above = box.y - around, level = box.y + box.height / 2, below = box.bottom() + around;
         const Polyline places{{left, above},  {middle, above}, {right, above}, {right, level},
                               {right, below}, {middle, below}, {left, below},  {left, level}};
-        for (std::size_t octant = 0; octant < places.size(); ++octant) note(places[octant], in_full(int(octant)));
+        for (std::size_t octant = 0; octant < places.size(); ++octant) note(places[octant], integer_text(int(octant)));
     }
 
     const Moment& moment_;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "choice/language.h"
+#include "vidno/trace.h"
 
 namespace vidno::figures {
 
@@ -18,6 +19,7 @@ struct FigureWords {
     std::array<std::string_view, 4> corners,
         all_but;  // indexed by Corner: their places on the screen, and all but this one
     std::string_view all_corners;
+    std::array<std::string_view, case_names.size()> cases;  // of a window
 };
 
 inline constexpr InEachLanguage<FigureWords> figure_words{
@@ -55,6 +57,7 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .corners = {"upper left", "lower left", "upper right", "lower right"},
         .all_but = {"all but upper left", "all but lower left", "all but upper right", "all but lower right"},
         .all_corners = "all four",
+        .cases = {"empty", "surrounded", "pixel", "single", "split"},
     },
     {
         .step = "шаг",
@@ -91,6 +94,7 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .all_but = {"все, кроме левого верхнего", "все, кроме левого нижнего", "все, кроме правого верхнего",
                     "все, кроме правого нижнего"},
         .all_corners = "все четыре",
+        .cases = {"пустое", "охвачено", "пиксель", "один", "делится"},
     },
 };
 

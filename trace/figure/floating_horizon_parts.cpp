@@ -7,10 +7,15 @@ namespace vidno::figures {
 
 namespace {
 
+constexpr double legend_base = 3;  // of a line of the legend, from its top
 constexpr Color upper_color{0x00, 0x72, 0xb2}, lower_color{0xd5, 0x5e, 0x00};
 
-Stroke upper_stroke(const Style& style) { return {deep(upper_color, style.greyscale), 1, {4, 1.5}}; }
-Stroke lower_stroke(const Style& style) { return {deep(lower_color, style.greyscale), 1, {1.5, 1.5}}; }
+Stroke upper_stroke(const Style& style, double width = 1) {
+    return {deep(upper_color, style.greyscale), width, {4, 1.5}};
+}
+Stroke lower_stroke(const Style& style, double width = 1) {
+    return {deep(lower_color, style.greyscale), width, {1.5, 1.5}};
+}
 
 Point place_of(const vidno::Point<Value>& point, const Plane& plane) {
     return plane.at(number_of(point.x), number_of(point.y));
@@ -81,7 +86,7 @@ struct LineMarks {
 std::string flag_text(const std::string& x, const std::string& flag,
                       const std::optional<FloatingHorizonState::Looked>& looked) {
     if (!looked) return "";
-    return x + " = " + in_full(looked->x) + ", " + flag + " = " + in_full(int(looked->flag));
+    return x + " = " + integer_text(looked->x) + ", " + flag + " = " + integer_text(int(looked->flag));
 }
 
 }  // namespace
@@ -93,13 +98,14 @@ Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
     return drawing;
 }
 
-void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane) {
-    add_lines(to, joined(moment.state().lines(), plane), {ink, 0.5}, plane);
+void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, double width) {
+    add_lines(to, joined(moment.state().lines(), plane), {ink, width}, plane);
 }
 
-void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
-    add_lines(to, horizon_lines(moment.state().upper(), plane), upper_stroke(style), plane);
-    add_lines(to, horizon_lines(moment.state().lower(), plane), lower_stroke(style), plane);
+void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style,
+                   double width) {
+    add_lines(to, horizon_lines(moment.state().upper(), plane), upper_stroke(style, width), plane);
+    add_lines(to, horizon_lines(moment.state().lower(), plane), lower_stroke(style, width), plane);
 }
 
 void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
@@ -127,24 +133,26 @@ void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const 
     if (moment.event()) moment.event()->visit(LineMarks{to, plane});
 }
 
-Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {
-    constexpr double sample = 7, gap = 1.2, base = 3;
-    Drawing drawing{width, legend_height};
+double add_horizon_names(Drawing& to, std::string_view upper, std::string_view lower, const Style& style) {
+    constexpr double sample = 7, gap = 1.2, middle = legend_base - 0.9;
     double x = 0;
-    const auto put = [&](std::string_view text, const Stroke& stroke) {
-        constexpr double middle = base - 0.9;
-        drawing.add(Path{{{{x, middle}, {x + sample, middle}}}, false, {}, stroke});
+    for (const auto& [text, stroke] : {std::pair(upper, upper_stroke(style)), std::pair(lower, lower_stroke(style))}) {
+        to.add(Path{{{{x, middle}, {x + sample, middle}}}, false, {}, stroke});
         x += sample + gap;
-        drawing.add(Label{std::string(text), {x, base}, small_size, Anchor::start, false, ink});
+        to.add(Label{std::string(text), {x, legend_base}, small_size, Anchor::start, false, ink});
         x += width_of(text, small_size) * style.letters + 2 * gap;
-    };
-    put("upper", upper_stroke(style));
-    put("lower", lower_stroke(style));
+    }
+    return x;
+}
+
+Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {
+    Drawing drawing{width, legend_height};
+    const double x = add_horizon_names(drawing, "upper", "lower", style);
     const std::string before = flag_text("x", "Pflag", moment.state().previous());
     const std::string now = flag_text("x′", "Tflag", moment.state().current());
     const std::string text = before + (now.empty() ? "" : "; ") + now;
     if (x + width_of(text, small_size) * style.letters <= width) {
-        drawing.add(Label{text, {width, base}, small_size, Anchor::end, false, ink});
+        drawing.add(Label{text, {width, legend_base}, small_size, Anchor::end, false, ink});
     }
     return drawing;
 }

@@ -16,6 +16,7 @@ struct Form {
     };
 
     std::vector<Column> columns;
+    /// Where a row has fewer cells than columns, its last cell spans the rest.
     std::vector<std::vector<Cell>> rows;
     double row_height = for_a_pen;  // millimetres
 

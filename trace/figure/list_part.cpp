@@ -12,13 +12,16 @@ namespace vidno::figures {
 namespace {
 
 /// z at two corners of the window.
-std::string corner_depths(const std::array<Value, 4>& corners, const FigureWords& words, std::array<Corner, 2> shown) {
+std::string corner_depths(const std::array<Value, 4>& corners, Language language, std::array<Corner, 2> shown) {
+    const auto& words = words_of(language);
     constexpr std::size_t two_on_a_line = 10;
     std::string text;
     for (const Corner corner : shown) {
         const auto place = std::size_t(corner);
-        text += (text.empty() ? "" : ", ") + std::string(words.corners[place]) + " " +
-                readable(corners[place], two_on_a_line);
+        text += (text.empty()                    ? ""
+                 : language == Language::russian ? "; "
+                                                 : ", ") +
+                std::string(words.corners[place]) + " " + readable(corners[place], language, two_on_a_line);
     }
     return text;
 }
@@ -32,12 +35,13 @@ Table active_polygons(const Moment& moment, const Style& style) {
         table.below.emplace_back(words.empty);
         return table;
     }
-    table.below.push_back("U = " + readable(state.current()->window) + ", " + std::string(words.stack) + ": " +
-                          std::to_string(state.stack().size()));
+    table.below.push_back("U = " + readable(state.current()->window, style.language) + ", " + std::string(words.stack) +
+                          ": " + std::to_string(state.stack().size()));
     if (state.corners()) {
         table.below.push_back(std::string(words.corner_depths) + ":");
-        table.below.push_back(corner_depths(*state.corners(), words, {Corner::left_bottom, Corner::right_bottom}));
-        table.below.push_back(corner_depths(*state.corners(), words, {Corner::left_top, Corner::right_top}));
+        table.below.push_back(
+            corner_depths(*state.corners(), style.language, {Corner::left_bottom, Corner::right_bottom}));
+        table.below.push_back(corner_depths(*state.corners(), style.language, {Corner::left_top, Corner::right_top}));
     }
     const auto in_hand = polygon_in_hand(moment);
     for (const auto& [polygon, surrounds] : *state.current()->apl) {
@@ -76,16 +80,19 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
                             {"Δx", share, Anchor::end},
                             {"Δz", share, Anchor::end}}};
     if (state.polygon()) table.note = "P = " + moment.scene().polygons[std::size_t(*state.polygon())].id;
-    if (state.y()) table.note += ", yₜ = " + readable(*state.y());
+    if (state.y()) table.note += ", yₜ = " + readable(*state.y(), style.language);
     const auto in_hand = edge_in_hand(moment);
+    const auto cell = [&](const Value& value, std::size_t most) {
+        return Table::Cell{readable(value, style.language, most)};
+    };
     for (const auto& entry : state.ael()) {
         if (in_hand == entry.edge) table.current = table.rows.size();
         table.rows.push_back({{std::to_string(entry.edge)},
-                              {readable(entry.x, room)},
-                              {readable(entry.z, room)},
-                              {readable(entry.until)},
-                              {readable(entry.dx, room)},
-                              {readable(entry.dz, room)}});
+                              cell(entry.x, room),
+                              cell(entry.z, room),
+                              cell(entry.until, short_enough),
+                              cell(entry.dx, room),
+                              cell(entry.dz, room)});
     }
     if (state.ael().empty()) table.below.emplace_back(words.empty);
     return table;

@@ -1,6 +1,9 @@
 #include "notation.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "figure_words.h"
 
 namespace vidno::figures {
 
@@ -47,37 +50,47 @@ std::string short_number(double value, std::size_t most) {
     return written(value, std::chars_format::scientific, 1);
 }
 
-std::string with_minus_sign(std::string text) {
+/// With a real minus sign, and the decimal sign of the language.
+std::string in_format(std::string text, Language language) {
+    if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
     for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
     return text;
 }
 
+constexpr std::string_view between_numbers(Language language) { return language == Language::russian ? "; " : ", "; }
+
 /// The texts of the events that a history contains; the others have none.
 struct Note {
     const Scene& scene;
+    Language language;
 
     const std::string& name(PolygonPlace polygon) const { return scene.polygons[std::size_t(polygon.index)].id; }
-    static std::string compared(const Value& z, const Value& against, bool nearer) {
-        return readable(z) + (nearer ? " > " : " ≯ ") + readable(against);
+    std::string number(const Value& value) const { return readable(value, language); }
+    std::string compared(const Value& z, const Value& against, bool nearer) const {
+        return number(z) + (nearer ? " > " : " ≯ ") + number(against);
     }
-    static std::string half_open(int first, int end) {
-        return "[" + std::to_string(first) + ", " + std::to_string(end) + ")";
+    std::string half_open(int first, int end) const {
+        return "[" + std::to_string(first) + std::string(between_numbers(language)) + std::to_string(end) + ")";
     }
 
-    std::string operator()(const event::Pop& e) const { return readable(e.window); }
+    std::string operator()(const event::Pop& e) const { return readable(e.window, language); }
     std::string operator()(const event::Discard& e) const { return "− " + name(e.polygon); }
     std::string operator()(const event::Nearer& e) const { return name(e.polygon) + ": k = " + std::to_string(e.k); }
     std::string operator()(const event::Mark& e) const { return name(e.polygon) + ": S = true"; }
     std::string operator()(const event::Cover& e) const { return name(e.polygon) + ": hasSurround"; }
-    std::string operator()(const event::Uncover& e) const { return name(e.polygon) + ": not hasSurround"; }
-    std::string operator()(const event::Decide& e) const { return std::string(case_names[std::size_t(e.which)]); }
-    std::string operator()(const event::Nearest& e) const { return name(e.polygon) + ": z = " + readable(e.z); }
+    std::string operator()(const event::Uncover& e) const {
+        return name(e.polygon) + (language == Language::russian ? ": не hasSurround" : ": not hasSurround");
+    }
+    std::string operator()(const event::Decide& e) const {
+        return std::string(words_of(language).cases[std::size_t(e.which)]);
+    }
+    std::string operator()(const event::Nearest& e) const { return name(e.polygon) + ": z = " + number(e.z); }
     std::string operator()(const event::Fill& e) const {
         return std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
     }
     std::string operator()(const event::Draw& e) const { return name(e.polygon); }
     std::string operator()(const event::Paint& e) const { return name(e.polygon); }
-    std::string operator()(const event::Clear& e) const { return "z = " + readable(e.z); }
+    std::string operator()(const event::Clear& e) const { return "z = " + number(e.z); }
     std::string operator()(const event::Columns& e) const { return half_open(e.first, e.end); }
     std::string operator()(const event::Pixel& e) const { return compared(e.z, e.stored, e.shown); }
     std::string operator()(const event::Span& e) const {
@@ -91,21 +104,28 @@ struct Note {
 
 }  // namespace
 
-std::string in_full(double value) { return with_minus_sign(shortest(value)); }
+std::string in_full(double value, Language language) { return in_format(shortest(value), language); }
 
-std::string readable(const Value& value, std::size_t most) {
-    if (!value.fraction) return with_minus_sign(short_number(value.number, most));
+std::string readable(const Value& value, Language language, std::size_t most) {
+    if (!value.fraction) return in_format(short_number(value.number, most), language);
     const std::string& text = *value.fraction;
-    if (text.ends_with("/1")) return with_minus_sign(text.substr(0, text.size() - 2));
-    if (text.size() <= most || text.ends_with("/0")) return with_minus_sign(text);
-    return "≈" + with_minus_sign(short_number(number_of(value), most));
+    if (text.ends_with("/1")) return in_format(text.substr(0, text.size() - 2), language);
+    if (text.size() <= most || text.ends_with("/0")) return in_format(text, language);
+    return "≈" + in_format(short_number(number_of(value), most), language);
 }
 
-std::string readable(const Window& window) {
-    return "(" + readable(window.x) + ", " + readable(window.y) + ") " + readable(window.width) + " × " +
-           readable(window.height);
+std::string pair_of(const std::string& x, const std::string& y, Language language) {
+    return "(" + x + std::string(between_numbers(language)) + y + ")";
 }
 
-std::string note_of(const EventView& event, const Scene& scene) { return event.visit(Note{scene}); }
+std::string readable(const Window& window, Language language) {
+    const auto number = [&](double value) { return readable(value, language); };
+    return pair_of(number(window.x), number(window.y), language) + " " + number(window.width) + " × " +
+           number(window.height);
+}
+
+std::string note_of(const EventView& event, const Scene& scene, Language language) {
+    return event.visit(Note{scene, language});
+}
 
 }  // namespace vidno::figures

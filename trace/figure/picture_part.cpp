@@ -119,14 +119,14 @@ void draw_frame(Drawing& to, const Plane& plane) {
     const auto put = [&](std::string text, Point at, Anchor anchor) {
         to.add(Label{std::move(text), at, size, anchor, false, ink});
     };
-    put(tick_text(area.x), {box.x, above}, Anchor::middle);
+    put(integer_text(area.x), {box.x, above}, Anchor::middle);
     put("x →", {box.x + box.width / 2, above}, Anchor::middle);
-    const std::string right = tick_text(area.right());
+    const std::string right = integer_text(area.right());
     const double room = plane.shown.right() - width_of(right, size) / 2;
     put(right, {std::min(box.right(), room), above}, Anchor::middle);
-    put(tick_text(area.y), {left, box.y + letter / 2}, Anchor::end);
+    put(integer_text(area.y), {left, box.y + letter / 2}, Anchor::end);
     put("y ↓", {left, box.y + box.height / 2 + letter / 2}, Anchor::end);
-    put(tick_text(area.bottom()), {left, box.bottom() + letter / 2}, Anchor::end);
+    put(integer_text(area.bottom()), {left, box.bottom() + letter / 2}, Anchor::end);
 }
 
 }  // namespace vidno::figures

@@ -67,7 +67,7 @@ void PixelHistory::take(const Moment& moment) {
     const auto found = event.visit(Judge(pixel_, inside_));
     if (!found) return;
     const Line at = event.visit([](const auto& e) { return e.at; });
-    std::string note = note_of(event, moment.scene());
+    std::string note = note_of(event, moment.scene(), language_);
     const auto polygon = moment.state().polygon();
     const bool of_line = event.get_if<event::Span>() || event.get_if<event::Pixel>() || event.get_if<event::Columns>();
     if (of_line && polygon) note = moment.scene().polygons[std::size_t(*polygon)].id + ": " + note;
@@ -77,12 +77,12 @@ void PixelHistory::take(const Moment& moment) {
 Drawing PixelHistory::part(const Style& style, double width) const {
     constexpr std::size_t most = 30;
     const auto& words = words_of(style.language);
-    Table table{
-        .title = std::string(words.pixel) + " (" + std::to_string(pixel_.x) + ", " + std::to_string(pixel_.y) + ")",
-        .columns = {{std::string(words.step), 0.13, Anchor::end},
-                    {std::string(words.line), 0.17},
-                    {std::string(words.what), 0.46},
-                    {std::string(words.answer), 0.24}}};
+    Table table{.title = std::string(words.pixel) + " " +
+                         pair_of(std::to_string(pixel_.x), std::to_string(pixel_.y), style.language),
+                .columns = {{std::string(words.step), 0.13, Anchor::end},
+                            {std::string(words.line), 0.17},
+                            {std::string(words.what), 0.46},
+                            {std::string(words.answer), 0.24}}};
     const std::size_t first = entries_.size() > most ? entries_.size() - most : 0;
     if (first > 0) table.note = std::string(words.earlier) + " " + std::to_string(first);
     for (std::size_t i = first; i < entries_.size(); ++i) {

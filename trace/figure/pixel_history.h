@@ -8,7 +8,7 @@ namespace vidno::figures {
 
 class PixelHistory {
 public:
-    explicit PixelHistory(Pixel pixel) : pixel_(pixel) {}
+    PixelHistory(Pixel pixel, Language language) : pixel_(pixel), language_(language) {}
 
     Pixel pixel() const { return pixel_; }
 
@@ -29,6 +29,7 @@ public:
 
 private:
     Pixel pixel_;
+    Language language_;
     bool inside_ = false;  // the current window, or the row
     std::vector<Entry> entries_;
 };

@@ -33,7 +33,7 @@ Color deep(const Color& color, bool greyscale) {
     return greyscale ? mixed(grey_of(color), Color{}, 0.6) : dark;
 }
 
-std::string tick_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
+std::string integer_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
 
 Plane plane_without_frame(const Area& area) {
     constexpr double width = 80;  // millimetres
@@ -43,8 +43,8 @@ Plane plane_without_frame(const Area& area) {
 
 Plane plane_in(const Area& area, double width, double most_height) {
     constexpr double margin = 0.04;  // of the longer side
-    const double ticks_width =
-        1.2 + std::max({3.8, width_of(tick_text(area.y), tick_size), width_of(tick_text(area.bottom()), tick_size)});
+    const double ticks_width = 1.2 + std::max({3.8, width_of(integer_text(area.y), tick_size),
+                                               width_of(integer_text(area.bottom()), tick_size)});
     const double around = margin * std::max(area.width, area.height);
     const double scale = std::min((width - ticks_width) / (area.width + 2 * around),
                                   (most_height - ticks_height - below) / (area.height + 2 * around));

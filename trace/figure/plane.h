@@ -42,9 +42,10 @@ private:
     static double within_reach(double millimetres) { return std::clamp(millimetres, -1e300, 1e300); }
 };
 
-/// The numbers at the corners.
-inline constexpr double tick_size = 7;  // points
-std::string tick_text(int value);
+/// The size of the numbers at the corners, in points.
+inline constexpr double tick_size = 7;
+/// With a real minus sign.
+std::string integer_text(int value);
 
 /// The plane of an area alone, without ticks or margin, as wide as a column of a journal.
 Plane plane_without_frame(const Area& area);

@@ -18,7 +18,7 @@ struct Destroy {
     void operator()(auto* thing) const { destroy(thing); }
 };
 using Handle = std::unique_ptr<RsvgHandle, Destroy<g_object_unref>>;
-using Surface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
 using Context = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
 
 constexpr double points_an_inch = 72;
@@ -65,7 +65,7 @@ void draw(const Handle& handle, cairo_surface_t* surface, double width, double h
 
 std::string pdf_of(const std::vector<std::string>& pages, const About& about) {
     std::string bytes;
-    const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 0, 0));
+    const CairoSurface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 0, 0));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, about.title.c_str());
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else today's
     for (const auto& svg : pages) {
@@ -84,7 +84,7 @@ std::string png_of(const std::string& svg, int dots_an_inch) {
     const auto [width, height] = size_of(handle);
     const int columns = int(std::ceil(width * dots_an_inch));
     const int rows = int(std::ceil(height * dots_an_inch));
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows));
+    const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows));
     draw(handle, surface.get(), columns, rows);
     std::string bytes;
     if (cairo_surface_write_to_png_stream(surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS) {

@@ -51,6 +51,12 @@ inline constexpr auto scene_names = std::to_array<Bilingual>({
     {"Two triangles with part of an edge in common, and one before it",
      "Два треугольника с общей частью ребра и один перед ней"},
     {"A vertex that touches an edge", "Вершина, которая касается ребра"},
+    {"Four curves by hand", "Четыре кривые вручную"},
+    {"The side of a surface hides", "Бок поверхности заслоняет"},
+    {"A peak between two samples", "Пик между двумя отсчётами"},
+    {"The same, sampled where it bends", "Тот же пик с отсчётами там, где он изгибается"},
+    {"A curve that touches the horizon", "Кривая, которая касается горизонта"},
+    {"Waves and a pit", "Волны и яма"},
 });
 
 /// The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as they are.
@@ -63,11 +69,11 @@ inline std::string name_in(Language language, const std::string& name) {
     return known == scene_names.end() ? name : std::string(known->in(language)) + name.substr(end);
 }
 
-/// The title of a method; a variant of Warnock's algorithm has its name behind it.
+/// The title of a method; a variant of Warnock's algorithm has its own title behind it.
 inline std::string title_of(Method method, Language language) {
     if (!is_family(method)) return std::string(choice_of(method).title.in(language));
     return std::string(choice_of(Method::warnock).title.in(language)) + " (" +
-           std::string(method_names[std::size_t(method)]) + ")";
+           std::string(choice_of(method).title.in(language)) + ")";
 }
 
 }  // namespace vidno::figures

@@ -27,7 +27,7 @@ std::optional<int> WorkedRun::shown(int x, int y) const {
 void WorkedRun::hear(const event::Pop& e) {
     windows_.push_back({e.window});
     windows_.back().step = end_.state().step();
-    if (is_family(header_.method)) return;  // its entries are the relations
+    if (has_relations()) return;
     for (const auto& [polygon, surrounds] : *end_.state().current()->apl) entry(polygon).surrounds = surrounds;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "choice/method.h"
 #include "moment.h"
 
 namespace vidno::figures {
@@ -50,6 +51,10 @@ public:
     WorkedRun& operator=(const WorkedRun&) = delete;
 
     const TraceHeader& header() const { return header_; }
+    /// Whether the entries of windows are relations; else they are those of the APL.
+    bool has_relations() const {
+        return is_family(header_.method) && choice_of(header_.method).procedure != Procedure::warnock;
+    }
     const Scene& scene() const { return header_.scene; }
     const std::map<int, std::array<Value, 4>>& planes() const { return planes_; }
     const std::vector<WorkedWindow>& windows() const { return windows_; }  // in the order in which they leave AW

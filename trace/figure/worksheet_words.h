@@ -1,11 +1,9 @@
 /// The words of worksheets.
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "figure_words.h"
-#include "vidno/trace.h"
 
 namespace vidno::figures {
 
@@ -18,8 +16,9 @@ struct WorksheetWords {
     std::string_view edges, row, pixels, edges_legend;
     std::string_view regions, lists, clip, list, inside, outside, nearer, result, visible, again, lists_legend;
     std::string_view raster, raster_of_names;
+    std::string_view curves, height_rule, grid, upper, lower;
+    std::string_view by_columns, curve, flag, meets, flags_legend, meets_legend, sides_legend;
     std::string_view rows_here;  // stands before a number
-    std::array<std::string_view, case_names.size()> cases;
 };
 
 inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
@@ -65,8 +64,24 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
         .lists_legend = "Polygons by their names. Again: the parts not behind C, and C as the last, are the next list.",
         .raster = "Polygon and depth of each pixel at the end",
         .raster_of_names = "Polygon of each pixel at the end",
+        .curves = "The curves, the nearest first, with their samples (x, y)",
+        .height_rule =
+            "Between its samples a curve is straight. The axis y points downward: the smaller y is the higher.",
+        .grid = "Draw the visible parts of the curves; at the end, draw both horizons",
+        .upper = "upper",
+        .lower = "lower",
+        .by_columns = "The curves over the columns x: height, flag, and both horizons after the curve",
+        .curve = "curve",
+        .flag = "flag",
+        .meets = "meets",
+        .flags_legend =
+            "Flag: 1 on the upper horizon or above it, −1 on the lower one or below it, ±1 on both or where "
+            "there are none, 0 hidden.",
+        .meets_legend = "Meets: the points (x, y) where the curve's visible parts begin or end at a horizon of the "
+                        "curves before it.",
+        .sides_legend = "The side edges between the ends of neighbouring curves count, too: the left one before the "
+                        "curve, the right one after it.",
         .rows_here = "The run goes on; rows in the table:",
-        .cases = {"empty", "surrounded", "pixel", "single", "split"},
     },
     {
         .name = "Фамилия",
@@ -81,7 +96,7 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
         .quadtree = "Дерево квадрантов: начертите окна",
         .windows = "Окна в том порядке, в котором они берутся из AW",
         .number = "№",
-        .window = "(x, y) w × h",
+        .window = "(x; y) w × h",
         .decision = "решение",
         .painted = "цвет",
         .legend =
@@ -110,8 +125,22 @@ inline constexpr InEachLanguage<WorksheetWords> worksheet_words{
         .lists_legend = "Многоугольники по именам. Ещё раз: следующий список — части не позади C, последним сам C.",
         .raster = "Многоугольник и глубина каждого пикселя в конце",
         .raster_of_names = "Многоугольник каждого пикселя в конце",
+        .curves = "Кривые, начиная с ближней, и их отсчёты (x; y)",
+        .height_rule = "Между отсчётами кривая прямая. Ось y направлена вниз: чем меньше y, тем выше.",
+        .grid = "Начертите видимые части кривых, в конце — оба горизонта",
+        .upper = "верхний",
+        .lower = "нижний",
+        .by_columns = "Кривые над столбцами x: высота, признак и оба горизонта после кривой",
+        .curve = "кривая",
+        .flag = "признак",
+        .meets = "встречи",
+        .flags_legend = "Признак: 1 — на верхнем горизонте или выше, −1 — на нижнем или ниже, ±1 — на обоих или где "
+                        "горизонтов нет, 0 — скрыта.",
+        .meets_legend = "Встречи: точки (x; y), где видимые части кривой начинаются или кончаются на горизонте "
+                        "предыдущих кривых.",
+        .sides_legend =
+            "Боковые рёбра между концами соседних кривых тоже учитываются: левое до кривой, правое после неё.",
         .rows_here = "Прогон продолжается; строк в таблице:",
-        .cases = {"пустое", "охвачено", "пиксель", "один", "делится"},
     },
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "counted.h"
 #include "import/ear_clipping.h"
 #include "import/mesh_soup.h"
 #include "json/unique_ids.h"
@@ -81,7 +82,8 @@ public:
     /// "992 faces read, 12 dropped: 10 have no area, 2 cross themselves; 5 cut into triangles; 40 not in view"
     std::string report() const {
         const std::size_t dropped = without_area_ + crossing_ + unclear_;
-        std::string line = std::to_string(mesh_.faces.size()) + " faces read, " + std::to_string(dropped) + " dropped";
+        std::string line =
+            counted(mesh_.faces.size(), "face", "faces") + " read, " + std::to_string(dropped) + " dropped";
         std::string why;
         append(why, ", ", without_area_, "without area");
         append(why, ", ", crossing_, "crossing themselves");

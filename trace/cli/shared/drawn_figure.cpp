@@ -148,7 +148,7 @@ std::optional<figures::PixelHistory> history_in(const FigureOptions& options, co
         return std::nullopt;
     }
     if (options.pixel.empty()) refuse("--show history", "needs --pixel X,Y");
-    return figures::PixelHistory(pixel_of(options.pixel, area));
+    return figures::PixelHistory(pixel_of(options.pixel, area), drawing.style.language);
 }
 
 figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
@@ -181,9 +181,10 @@ std::string method_in(const FloatingHorizonHeader&, Language language) {
     return std::string(floating_horizon_choice.title.in(language));
 }
 
-std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, Language language) {
-    const std::string& name = header.scene.name;
-    std::string title = name.empty() ? "" : figures::name_in(language, name) + " · ";
+std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, const std::string& given,
+                     Language language) {
+    const std::string name = given.empty() ? figures::name_in(language, header.scene.name) : given;
+    std::string title = name.empty() ? "" : name + " · ";
     title += method_in(header, language);
     if (!steps.empty()) {
         title += " · " + std::string(figures::words_of(language).step) + " " + std::to_string(steps.front());
@@ -194,6 +195,7 @@ std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps
 struct ToldSteps {
     LineReader lines;
     std::vector<std::uint64_t> steps;
+    std::string name{};  // in the figure's language; empty: the scene's
 };
 
 /// A pin is a step of its lesson's run, so the run is traced first.
@@ -229,7 +231,7 @@ ToldSteps failure_steps(const FigureOptions& options) {
     } else if (const auto step = seen(failure).step) {
         steps = {*step};
     }
-    return {LineReader::of_text(std::move(text)), steps};
+    return {LineReader::of_text(std::move(text)), steps, failure.title.in(style_of(options).language)};
 }
 
 ToldSteps told_steps(const FigureOptions& options) {
@@ -279,7 +281,7 @@ std::string film(const std::vector<figures::Drawing>& frames, const About& about
 std::string drawn_trace(const FigureOptions& options) {
     if (options.film) expect_film(options);
     if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "writes only .tex files");
-    auto [lines, steps] = told_steps(options);
+    auto [lines, steps, name] = told_steps(options);
 
     figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
     if (!options.film && format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
@@ -293,8 +295,8 @@ std::string drawn_trace(const FigureOptions& options) {
 
     drawing.moments = std::max<std::size_t>(steps.size(), 1);
     AnyTraceReader opened = open_trace(std::move(lines), options.input);
-    const auto draw = [&, &steps = steps](auto& reader) {
-        const About about{title_of(reader.header(), steps, drawing.style.language), drawing.style.language};
+    const auto draw = [&, &steps = steps, &name = name](auto& reader) {
+        const About about{title_of(reader.header(), steps, name, drawing.style.language), drawing.style.language};
         const figures::Figure figure = drawn(reader, steps, drawing, options);
         if (options.film) return film(figure.panels(), about, options);
         if (options.beamer) return beamer_of(figure.panels(), about);

@@ -1,0 +1,30 @@
+#include "worked_curves.h"
+
+#include "run/floating_horizon_run.h"
+
+namespace vidno::figures {
+
+WorkedCurves::WorkedCurves(const Surface& surface)
+    : header_{Edition::corrected, "exact", Detail::signs, surface}, end_(header_) {
+    HeardBy sink([this](const EventView& event) {
+        end_.take(event);
+        event.visit([this](const auto& e) { hear(e); });
+    });
+    FloatingHorizonRequest request{exact_kernel(), Edition::corrected, header_.scene.curves, Detail::signs};
+    request.sink = &sink;
+    run(request);
+}
+
+void WorkedCurves::hear(const event::Intersection& e) {
+    const VisibilityFlag from = end_.state().previous()->flag, to = end_.state().current()->flag;
+    const VisibilityFlag side = e.at == Line::FH7 ? side_beside(from, to) : side_beside(to, from);
+    curves_.back().meetings.push_back({e.point, side == VisibilityFlag::above});
+}
+
+void WorkedCurves::hear(const event::SideEdge& e) {
+    if (e.at != Line::FH10) return;
+    curves_.back().upper = end_.state().upper();
+    curves_.back().lower = end_.state().lower();
+}
+
+}  // namespace vidno::figures
