@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <random>
 
 #include "support/kettner.h"
@@ -206,6 +208,30 @@ TEST_CASE("Steep planes do not fit the cells: they are compared all the same") {
         const Picture picture = render(Method::zbuffer, scene, Filtered{});
         CHECK(picture == Picture(scene->area, color_of(z < 0 ? 1 : 0)));
     }
+}
+
+TEST_CASE("An edge at or near a centre has no certain first pixel after it") {
+    const auto first_after = [](double value, double error) {
+        return FilterBounds::first_after(Bounded(value, error), -2, 6);
+    };
+    // The centre of pixel 3 is 3 1/2.
+    CHECK(first_after(3.5 + 0x1p-20, 0x1p-21) == 4);
+    CHECK(first_after(3.5 - 0x1p-20, 0x1p-21) == 3);
+    CHECK(first_after(3.5 + 0x1p-20, 0x1p-19) == std::nullopt);
+    CHECK(first_after(3.5 - 0x1p-20, 0x1p-19) == std::nullopt);
+    CHECK(first_after(3.5, 0) == std::nullopt);
+    CHECK_MESSAGE(first_after(std::nextafter(3.5, 3), 0) == std::nullopt, "roundoff could move it to the centre");
+    // Off the area, whose pixels are -2 to 5.
+    CHECK(first_after(-100, .25) == -2);
+    CHECK(first_after(-1.75, .125) == -2);
+    CHECK(first_after(5.75, .125) == 6);
+    CHECK(first_after(100, .25) == 6);
+    // Nothing is known.
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(first_after(3, infinity) == std::nullopt);
+    CHECK(first_after(3, std::nan("")) == std::nullopt);
+    CHECK(first_after(infinity, infinity) == std::nullopt);
+    CHECK(first_after(std::nan(""), std::nan("")) == std::nullopt);
 }
 
 TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is drawn right") {
