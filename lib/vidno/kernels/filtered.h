@@ -53,7 +53,7 @@ public:
         const double value = left - right;
         if (std::abs(value) > cross_error_) {
             tell(FilterStage::scene);
-            return {value, sign_of(value)};
+            return {value, std::signbit(value) ? Sign::negative : Sign::positive};
         }
         return cross_near_zero(left, right, pivot, a, b);
     }

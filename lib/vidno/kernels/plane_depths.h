@@ -95,9 +95,11 @@ public:
 
     bool nearer(const Depth& z, const Depth& than, const auto& at) const {
         const double difference = z.value - than.value;
-        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
-        tally_(certain ? FilterStage::operands : FilterStage::exact);
-        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
+        if (std::abs(difference) > depth_error_) {
+            tally_(FilterStage::scene);
+            return difference > 0;
+        }
+        return nearer_by_operands(z, than, at);
     }
 
     double zero() const { return 0; }
@@ -171,6 +173,7 @@ protected:
         const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(double(v.x), double(v.y))) < 2; };
         plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
         plane.number = std::uint32_t(planes_.size());
+        depth_error_ = std::max(depth_error_, 4 * plane.error);
         return planes_.emplace_back(plane);
     }
 
@@ -208,6 +211,13 @@ private:
         }
     }
 
+    [[gnu::noinline]] bool nearer_by_operands(const Depth& z, const Depth& than, const auto& at) const {
+        const double difference = z.value - than.value;
+        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
+        tally_(certain ? FilterStage::operands : FilterStage::exact);
+        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
+    }
+
     // Takes x and y, not a Pixel, so that they stay in registers where this is not called.
     [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
         const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
@@ -230,6 +240,7 @@ private:
     static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
     std::vector<Plane> planes_;  // by number
+    double depth_error_ = 0;     // two depths of kept planes that differ by more differ the same way exactly
     [[no_unique_address]] Tally tally_;
 };
 
