@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <random>
 
 #include "support/kettner.h"
@@ -140,6 +142,96 @@ TEST_CASE("Depths that a cell of the Z-buffer cannot distinguish") {
     CHECK(picture.at(0, 0) == color_of(1));
     CHECK(picture.at(1, 0) == color_of(0));
     CHECK(picture.at(2, 0) == color_of(0));
+}
+
+TEST_CASE("Lines of the Z-buffer of every length, up to each side of the area") {
+    // Behind and in front of the middle quad are quads from column `first` to `end`. Two rows: what lies after the last pixel of one is
+    // the first pixel of the next, or nothing.
+    for (int width = 1; width <= 18; ++width) {
+        for (int first = 0; first < width; ++first) {
+            for (int end = first + 1; end <= width; ++end) {
+                const AdmittedScene scene = SceneBuilder({-3, 5, width, 2})
+                                                .quad(-3, 5, width - 3, 7, 0)
+                                                .quad(first - 3, 5, end - 3, 7, .5)
+                                                .quad(first - 3, 5, end - 3, 7, -.5)
+                                                .build();
+                const Picture picture = render(Method::zbuffer, scene, Filtered{});
+                int wrong = 0;
+                for (int y = 5; y < 7; ++y) {
+                    for (int x = 0; x < width; ++x) {
+                        const Color expected = color_of(first <= x && x < end ? 1 : 0);
+                        wrong += picture.at(x - 3, y) == expected ? 0 : 1;
+                    }
+                }
+                CAPTURE(width);
+                CAPTURE(first);
+                CAPTURE(end);
+                CHECK(wrong == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("Planes that cross along a line, at slopes around the bound of the cells") {
+    // The tilted plane rises by 2^-k a pixel and is level with the other, at z, at x = 20: from that pixel on it is nearer. Near 3/4 the
+    // numbers of a cell are 2^-24 apart.
+    for (int k = 6; k <= 45; ++k) {
+        for (const double z : {0., .75 + 0x1p-26, -.75}) {
+            const double rise = std::ldexp(1, -k);
+            const Corners tilted{
+                {0, 0, z - 20 * rise}, {40, 0, z + 20 * rise}, {40, 1, z + 20 * rise}, {0, 1, z - 20 * rise}};
+            if (z + 20 * rise > 1 || z - 20 * rise < -1) continue;
+            const AdmittedScene tilted_last = SceneBuilder({0, 0, 40, 1}).quad(0, 0, 40, 1, z).polygon(tilted).build();
+            const AdmittedScene tilted_first = SceneBuilder({0, 0, 40, 1}).polygon(tilted).quad(0, 0, 40, 1, z).build();
+            const Picture last = render(Method::zbuffer, tilted_last, Filtered{});
+            const Picture first = render(Method::zbuffer, tilted_first, Filtered{});
+            int wrong = 0;
+            for (int x = 0; x < 40; ++x) {
+                wrong += last.at(x, 0) == color_of(x >= 20 ? 1 : 0) ? 0 : 1;
+                wrong += first.at(x, 0) == color_of(x >= 20 ? 0 : 1) ? 0 : 1;
+            }
+            CAPTURE(k);
+            CAPTURE(z);
+            CHECK(wrong == 0);
+        }
+    }
+}
+
+TEST_CASE("Steep planes do not fit the cells: they are compared all the same") {
+    // The sliver is 2^-30 wide in y and rises by 1 there, so its depths are known only roughly. Its lower edge is on the centres of the
+    // row, at depth 0.
+    for (const double z : {-0x1p-40, 0x1p-40}) {
+        const AdmittedScene scene = SceneBuilder({0, 0, 20, 1})
+                                        .quad(0, 0, 20, 1, z)
+                                        .polygon({{0, .5 - 0x1p-30, 1}, {20, .5 - 0x1p-30, 1}, {20, .5, 0}, {0, .5, 0}})
+                                        .build();
+        const Picture picture = render(Method::zbuffer, scene, Filtered{});
+        CHECK(picture == Picture(scene->area, color_of(z < 0 ? 1 : 0)));
+    }
+}
+
+TEST_CASE("An edge at or near a centre has no certain first pixel after it") {
+    const auto first_after = [](double value, double error) {
+        return FilterBounds::first_after(Bounded(value, error), -2, 6);
+    };
+    // The centre of pixel 3 is 3 1/2.
+    CHECK(first_after(3.5 + 0x1p-20, 0x1p-21) == 4);
+    CHECK(first_after(3.5 - 0x1p-20, 0x1p-21) == 3);
+    CHECK(first_after(3.5 + 0x1p-20, 0x1p-19) == std::nullopt);
+    CHECK(first_after(3.5 - 0x1p-20, 0x1p-19) == std::nullopt);
+    CHECK(first_after(3.5, 0) == std::nullopt);
+    CHECK_MESSAGE(first_after(std::nextafter(3.5, 3), 0) == std::nullopt, "roundoff could move it to the centre");
+    // Off the area, whose pixels are -2 to 5.
+    CHECK(first_after(-100, .25) == -2);
+    CHECK(first_after(-1.75, .125) == -2);
+    CHECK(first_after(5.75, .125) == 6);
+    CHECK(first_after(100, .25) == 6);
+    // Nothing is known.
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(first_after(3, infinity) == std::nullopt);
+    CHECK(first_after(3, std::nan("")) == std::nullopt);
+    CHECK(first_after(infinity, infinity) == std::nullopt);
+    CHECK(first_after(std::nan(""), std::nan("")) == std::nullopt);
 }
 
 TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is drawn right") {

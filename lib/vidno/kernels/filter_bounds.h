@@ -58,6 +58,15 @@ struct FilterBounds {
         return known ? Interval{v.low(), v.high()} : Interval{-infinity, infinity};
     }
 
+    /// The first pixel whose centre is after the value, if the value is certainly at no centre; the last one before it is the pixel to the
+    /// left. Values off the area move to half a pixel from its outer centres. In the area, distances are less than 2^15, so
+    /// 2^-30 is far more than all roundoff here. A value that is not finite has no finite error.
+    static std::optional<int> first_after(const Bounded& v, int low, int end) {
+        const double distance = std::min(std::max(0.5, v.value - (low - 0.5)), end - low + 0.5);
+        const int whole = int(distance);
+        const bool apart = std::abs(distance - whole - 0.5) + v.error < 0.5 - 0x1p-30;
+        return apart ? std::optional(low + whole) : std::nullopt;
+    }
     /// Certain if the centres on either side of the value lie outside its bounds; never if the bounds are unknown.
     static std::optional<int> certain_first(const auto& v, int low, int end) {
         const int first = machine_.first_centre(v.value, low, end);

@@ -89,7 +89,8 @@ struct FilterExactly : FilterBounds {
                          machine_.last_centre(left, low, end) + 1, machine_.last_centre(right, low, end) + 1) -
                1;
     }
-    [[gnu::noinline]] static bool exactly_same_place(const auto& a, const auto& b, int row) {
+    // Pure, so that runs without a visitor, which need no slope, do not call it.
+    [[gnu::noinline, gnu::pure]] static bool exactly_same_place(const auto& a, const auto& b, int row) noexcept {
         return exact_x(a, row) == exact_x(b, row);
     }
     static Rational exact_slope(const auto& edge) {

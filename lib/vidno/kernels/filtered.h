@@ -53,7 +53,7 @@ public:
         const double value = left - right;
         if (std::abs(value) > cross_error_) {
             tell(FilterStage::scene);
-            return {value, sign_of(value)};
+            return {value, std::signbit(value) ? Sign::negative : Sign::positive};
         }
         return cross_near_zero(left, right, pivot, a, b);
     }
@@ -197,14 +197,16 @@ public:
         return machine_.last_centre(end_point.x.value, low, end);
     }
     int first_column(const auto& edge, int row, int low, int end) const {
-        const auto certain = certain_first(edge.x, low, end);
-        tell(certain.has_value());
-        return certain ? *certain : exact_first_column(edge, row, low, end);
+        const auto first = first_after(edge.x, low, end);
+        if (!first) return close_first_column(edge, row, low, end);
+        tell(true);
+        return *first;
     }
     int last_column(const auto& edge, int row, int low, int end) const {
-        const auto certain = certain_last(edge.x, low, end);
-        tell(certain.has_value());
-        return certain ? *certain : exact_last_column(edge, row, low, end);
+        const auto first = first_after(edge.x, low, end);
+        if (!first) return close_last_column(edge, row, low, end);
+        tell(true);
+        return *first - 1;
     }
     bool same_place(const auto& a, const auto& b, int row) const {
         return same(a.x, b.x, [&] { return exactly_same_place(a, b, row); });
@@ -231,6 +233,18 @@ private:
         }
         tell(FilterStage::exact);
         return {value, exact_orientation(pivot, a, b)};
+    }
+
+    /// For an edge that is exactly or nearly at a centre. Apart for the same reason.
+    [[gnu::noinline]] int close_first_column(const auto& edge, int row, int low, int end) const {
+        const auto certain = certain_first(edge.x, low, end);
+        tell(certain.has_value());
+        return certain ? *certain : exact_first_column(edge, row, low, end);
+    }
+    [[gnu::noinline]] int close_last_column(const auto& edge, int row, int low, int end) const {
+        const auto certain = certain_last(edge.x, low, end);
+        tell(certain.has_value());
+        return certain ? *certain : exact_last_column(edge, row, low, end);
     }
 
     /// Reports whether the bound of the operands decided, or exact arithmetic.

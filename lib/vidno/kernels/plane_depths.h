@@ -5,14 +5,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
-#include "../depth_buffer.h"
 #include "../kernel.h"
 #include "filter_stage.h"
 
@@ -72,10 +74,9 @@ public:
         double value() const { return plane_->depth(first_x_ + steps_, y_); }
         const Plane& plane() const { return *plane_; }
         std::uint32_t number() const { return number_; }
-        float about(int further = 0) const { return (steps_ + float(further)) * x_slope_ + first_; }
+        float about() const { return steps_ * x_slope_ + first_; }
 
         void operator+=(double /*step*/) { steps_ += 1; }
-        void skip(int pixels) { steps_ += float(pixels); }
         explicit operator double() const { return value(); }
 
     private:
@@ -94,9 +95,11 @@ public:
 
     bool nearer(const Depth& z, const Depth& than, const auto& at) const {
         const double difference = z.value - than.value;
-        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
-        tally_(certain ? FilterStage::operands : FilterStage::exact);
-        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
+        if (std::abs(difference) > depth_error_) {
+            tally_(FilterStage::scene);
+            return difference > 0;
+        }
+        return nearer_by_operands(z, than, at);
     }
 
     double zero() const { return 0; }
@@ -115,12 +118,43 @@ public:
         return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
     }
 
-    /// Whether the depth is nearer than the cells at `block` pixels of a row, beginning at `first`, the pixel of z. Gives nothing unless
-    /// the cells alone give one answer for all. Since the depth is not a sum of steps, the compiler compares several pixels at a time.
-    static constexpr int block = 8;
-    std::optional<bool> nearer(const Stepped& z, const auto& row,
-                               int first) const requires std::is_same_v<Tally, NoTally> {
-        return one_answer(z, &row.about[first]);
+    /// Stores the depth of the plane at the pixels first <= x < end of a row where it is nearer. Since it is not a sum of steps, a block
+    /// of pixels is compared at once, as the function above compares one. A block with a pixel that its cell does not decide is done
+    /// pixel by pixel; a depth that is not known is close to all others.
+    [[gnu::noinline]] void store_nearer(const Plane& plane, const auto& row, int first,
+                                        int end) const requires std::is_same_v<Tally, NoTally> {
+        const auto slope = float(plane.x_slope);
+        const float first_z = plane.fits_cells ? float(plane.depth(first + 0.5, row.y + 0.5)) : not_known;
+        const Floats slopes{slope, slope, slope, slope};
+        const Floats first_zs{first_z, first_z, first_z, first_z};
+        Floats steps{0, 1, 2, 3};
+        float* depths = row.about + (first - row.first_x);
+        std::uint32_t* planes = row.plane + (first - row.first_x);
+        for (int left = end - first; left > 0; left -= block, depths += block, planes += block) {
+            std::array<Floats, 2> z, stored;
+            std::array<Ints, 2> nearer, close;
+            for (int half = 0; half < 2; ++half) {
+                stored[half] = loaded<Floats>(depths + 4 * half);
+                z[half] = steps * slopes + first_zs;
+                steps += 4;
+                const Floats difference = z[half] - stored[half];
+                const Floats distance = std::bit_cast<Floats>(std::bit_cast<Ints>(difference) & all_but_sign);
+                const Ints in_line = Ints{0, 1, 2, 3} + 4 * half < left;
+                nearer[half] = (difference > cell_error) & in_line;
+                close[half] = ~(distance > cell_error) & in_line;
+            }
+            if (!any(nearer[0] | nearer[1] | close[0] | close[1])) continue;
+            if (any(close[0] | close[1])) [[unlikely]] {
+                store_closely_nearer(plane, row, end - left, std::min(end - left + block, end));
+                continue;
+            }
+            const Ints number = Ints{} + int(plane.number);
+            for (int half = 0; half < 2; ++half) {
+                store_where(nearer[half], std::bit_cast<Ints>(z[half]), std::bit_cast<Ints>(stored[half]),
+                            depths + 4 * half);
+                store_where(nearer[half], number, loaded<Ints>(planes + 4 * half), planes + 4 * half);
+            }
+        }
     }
 
 protected:
@@ -139,23 +173,49 @@ protected:
         const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(double(v.x), double(v.y))) < 2; };
         plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
         plane.number = std::uint32_t(planes_.size());
+        depth_error_ = std::max(depth_error_, 4 * plane.error);
         return planes_.emplace_back(plane);
     }
 
     void tell(FilterStage stage) const { tally_(stage); }
 
 private:
-    // If this is inlined, GCC unrolls the loop before it can vectorize it.
-    [[gnu::noinline]] static std::optional<bool> one_answer(const Stepped& z, const float* cells) {
-        int above = 0, below = 0;
-        for (int i = 0; i < block; ++i) {
-            const float difference = z.about(i) - cells[i];
-            above += int(difference > cell_error);
-            below += int(difference < -cell_error);
+    /// The pixels that are compared at a time: two vectors of four, which every machine has.
+    static constexpr int block = 8;
+    using Floats [[gnu::vector_size(16)]] = float;
+    using Ints [[gnu::vector_size(16)]] = int;
+    using Longs [[gnu::vector_size(16)]] = long long;
+    static constexpr int all_but_sign = std::numeric_limits<int>::max();
+
+    static bool any(const Ints& mask) {
+        const auto halves = std::bit_cast<Longs>(mask);
+        return (halves[0] | halves[1]) != 0;
+    }
+    template <class Values>
+    static Values loaded(const void* from) {
+        Values values;
+        std::memcpy(&values, from, sizeof values);
+        return values;
+    }
+    static void store_where(const Ints& mask, const Ints& values, const Ints& others, void* to) {
+        const Ints chosen = (values & mask) | (others & ~mask);
+        std::memcpy(to, &chosen, sizeof chosen);
+    }
+
+    /// The same pixel by pixel.
+    [[gnu::noinline]] void store_closely_nearer(const Plane& plane, const auto& row, int first, int end) const {
+        Stepped z = to_step(0, plane, {first, row.y});
+        for (int x = first; x < end; ++x, z += 0) {
+            auto cell = row[x];
+            if (nearer(z, cell, Pixel{x, row.y})) cell = z;
         }
-        if (above == block) return true;
-        if (below == block) return false;
-        return std::nullopt;
+    }
+
+    [[gnu::noinline]] bool nearer_by_operands(const Depth& z, const Depth& than, const auto& at) const {
+        const double difference = z.value - than.value;
+        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
+        tally_(certain ? FilterStage::operands : FilterStage::exact);
+        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
     }
 
     // Takes x and y, not a Pixel, so that they stay in registers where this is not called.
@@ -180,6 +240,7 @@ private:
     static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
     std::vector<Plane> planes_;  // by number
+    double depth_error_ = 0;     // two depths of kept planes that differ by more differ the same way exactly
     [[no_unique_address]] Tally tally_;
 };
 
@@ -209,29 +270,34 @@ public:
         Pixel at_;
     };
     struct Row {
-        PixelRow<float> about;
-        PixelRow<std::uint32_t> plane;
+        float* about;
+        std::uint32_t* plane;
         const Plane* planes;
-        int y;
+        int first_x, y;
 
-        Cell operator[](int x) const { return {about[x], plane[x], planes, {x, y}}; }
-        void store_block(const Stepped& z, int first) const {
-            for (int i = 0; i < block; ++i) (&about[first])[i] = z.about(i);
-            for (int i = 0; i < block; ++i) (&plane[first])[i] = z.number();
-        }
+        Cell operator[](int x) const { return {about[x - first_x], plane[x - first_x], planes, {x, y}}; }
+        std::uint32_t number(int x) const { return plane[x - first_x]; }
     };
 
     void clear(const Area& area, const Depth& farthest) {
-        about_.clear(area, float(farthest.value));
-        plane_.clear(area, farthest.plane->number);
+        area_ = area;
+        // The last block may end after the last pixel.
+        const auto size = std::size_t(area.width) * std::size_t(area.height) + block;
+        about_.assign(size, float(farthest.value));
+        plane_.assign(size, farthest.plane->number);
         planes_ = farthest.plane - farthest.plane->number;
     }
     Cell at(int x, int y) { return row(y)[x]; }
-    Row row(int y) { return {about_.row(y), plane_.row(y), planes_, y}; }
+    Row row(int y) {
+        assert(area_.y <= y && y < area_.bottom());
+        const auto before = std::size_t(y - area_.y) * std::size_t(area_.width);
+        return {about_.data() + before, plane_.data() + before, planes_, area_.x, y};
+    }
 
 private:
-    vidno::DepthBuffer<float> about_;
-    vidno::DepthBuffer<std::uint32_t> plane_;
+    Area area_;
+    std::vector<float> about_;
+    std::vector<std::uint32_t> plane_;
     const Plane* planes_ = nullptr;
 };
 

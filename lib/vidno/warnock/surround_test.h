@@ -17,14 +17,14 @@ struct SurroundTest {
         using enum Line;
         auto& trace = run.trace;
         const auto& vertices = polygon.vertices;
-        const int count = int(vertices.size());
 
         Sign first_sign = Sign::zero;
-        int from = count - 1;
-        for (int to = 0; to < count; from = to++) {
-            const auto value = run.kernel.cross(vertices[from], vertices[to], point);
+        const auto* from = &vertices.back();
+        for (const auto& to : vertices) {
+            const auto value = run.kernel.cross(*from, to, point);
             const Sign sign = run.kernel.sign(value);
-            trace.orient(first_sign == Sign::zero ? S2 : S3, polygon, from, point, value, sign);
+            trace.orient(first_sign == Sign::zero ? S2 : S3, polygon, int(from - vertices.data()), point, value, sign);
+            from = &to;
             if (sign == Sign::zero) continue;
             if (first_sign == Sign::zero) first_sign = sign;
             if (sign != first_sign) return false;

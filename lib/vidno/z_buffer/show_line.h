@@ -5,14 +5,18 @@
 /// Time    one addition and one comparison for each pixel; under rounding the depth drifts with every step.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <type_traits>
 
 #include "../run.h"
 
 namespace vidno {
+
+/// A run without a visitor whose kernel compares many pixels at a time and keeps the polygon that each shows. The pixels get their
+/// colours after the last line (ZBuffer).
+template <class Run>
+concept ColorsFollow = std::is_same_v<decltype(Run::trace), NoTrace> && requires(Run& run) {
+    run.set.shows(run.kernel, run.polygons[0].plane, run.depth_buffer.row(0), 0, 0);
+};
 
 struct ShowLine {
     template <class Run>
@@ -37,10 +41,12 @@ struct ShowLine {
         auto z = kernel.to_step(first_z, polygon.plane, Pixel{x, row});
         trace.columns(L4, x, end, z);
         const auto depths = run.depth_buffer.row(row);
+        if constexpr (ColorsFollow<Run>) {
+            run.set.shows(kernel, polygon.plane, depths, x, end);  // L5 to L7
+            return;
+        }
         const auto pixels = run.picture.row(row);
         const Color color = polygon.color;
-        constexpr bool is_heard = !std::is_same_v<decltype(run.trace), NoTrace>;
-        if constexpr (!is_heard) x = show_blocks(run, z, depths, pixels, x, end, color);
         for (; x < end; ++x, z += dz) {
             auto&& stored = depths[x];
             const auto& depth = kernel.to_store(z);
@@ -50,35 +56,6 @@ struct ShowLine {
             stored = depth;
             pixels[x] = color;
         }
-    }
-
-private:
-    /// L5 to L7 for whole blocks of pixels, if the kernel compares a block at a time. Returns the first pixel after them, to which z is
-    /// stepped.
-    template <class Run>
-    static int show_blocks(Run& run, auto& z, const auto& depths, const auto& pixels, int x, int end, Color color) {
-        if constexpr (requires { run.set.shows(run.kernel, z, depths, x); }) {
-            constexpr int block = Run::Arithmetic::block;
-            std::array<Color, block> colors;
-            colors.fill(color);
-            for (; end - x >= block; x += block) {
-                const std::optional<bool> nearer = run.set.shows(run.kernel, z, depths, x);
-                if (!nearer) {
-                    for (int i = x; i < x + block; ++i, z.skip(1)) {
-                        if (!run.set.shows(run.kernel, z, depths[i], Pixel{i, depths.y})) continue;
-                        depths[i] = z;
-                        pixels[i] = color;
-                    }
-                    continue;
-                }
-                if (*nearer) {
-                    depths.store_block(z, x);
-                    std::copy_n(colors.begin(), block, &pixels[x]);
-                }
-                z.skip(block);
-            }
-        }
-        return x;
     }
 };
 
