@@ -39,6 +39,7 @@ Picture render(Method method, const AdmittedScene& scene, K kernel, Trace trace 
             run.set.warnock(run);
         } else if constexpr (has_z_buffer) {
             run.set.z_buffer(run);
+            ShowLine::color_pixels(run);
         }
     } catch (const Fault& fault) {
         trace.fault(fault.at, fault.reason);

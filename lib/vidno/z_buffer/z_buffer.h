@@ -9,7 +9,6 @@
 
 #include "../insertion_sort.h"
 #include "active_edge_list.h"
-#include "show_line.h"
 
 namespace vidno {
 
@@ -25,21 +24,6 @@ struct ZBuffer {
             if (polygon.edge_on) continue;
             run.trace.polygon(Z2, polygon);
             scan_polygon(run, polygon, lists);
-        }
-        color_pixels(run);
-    }
-
-    /// The colours of all pixels, if they have not been painted line by line.
-    template <class Run>
-    static void color_pixels(Run& run) {
-        if constexpr (ColorsFollow<Run>) {
-            std::vector<Color> colors(run.polygons.size() + 1, run.background);  // by the number of the plane
-            for (const auto& polygon : run.polygons) colors[polygon.plane.number] = polygon.color;
-            for (int row = run.area.y; row < run.area.bottom(); ++row) {
-                const auto depths = run.depth_buffer.row(row);
-                const auto pixels = run.picture.row(row);
-                for (int x = run.area.x; x < run.area.right(); ++x) pixels[x] = colors[depths.number(x)];
-            }
         }
     }
 
