@@ -243,10 +243,10 @@ TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it
         SceneBuilder(area_16).polygon("Q", red, far_quad).polygon("N", green, near_square).build();
     for (const auto& [method, paints] : std::to_array<std::pair<std::string, std::string>>(
              {{"warnock", "fill"}, {"zbuffer", "span"}, {"weiler-atherton", "paint"}})) {
-        CAPTURE(method);
         Failure failure;
         failure.scene = scene;
         failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(8, 8);
         const SeenFailure found = seen(failure);
         CHECK(found.there.english == "N is painted, not N");
@@ -267,10 +267,10 @@ TEST_CASE(
     const AdmittedScene scene = SceneBuilder(area_16).polygon("N", green, near_square).build();
     for (const auto& [method, has_step] :
          std::to_array<std::pair<std::string, bool>>({{"warnock", true}, {"zbuffer", false}})) {
-        CAPTURE(method);
         Failure failure;
         failure.scene = scene;
         failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(1, 1);
         const SeenFailure found = seen(failure);
         CHECK(found.there.english == "the background is painted, not the background");
