@@ -20,8 +20,8 @@ describe('a formula', () => {
   });
 
   it('keeps the coordinates of a point together, and no other words', () => {
-    expect(withoutBadBreaks('at (8; −6) and (1/2, 0, 3) (or so, 4)')).toBe(
-      'at (8;\u00a0−6) and (1/2,\u00a00,\u00a03) (or so, 4)',
+    expect(withoutBadBreaks('at (8; −6), (±1, 0) and (1/2, 0, 3) (or so, 4)')).toBe(
+      'at (8;\u00a0−6), (±1,\u00a00) and (1/2,\u00a00,\u00a03) (or so, 4)',
     );
   });
 

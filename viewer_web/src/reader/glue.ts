@@ -13,7 +13,7 @@ const closing = /^(?:[)\]}»”’.,;:!?…]+|[-‑]\p{L}*)/u;
 
 /** Keeps on one line the coordinates of a point, the two sides of an area, a number, and a dash with the word before it. */
 export function withoutBadBreaks(text: string): string {
-  return text.replace(/\([−\d.,;/ ]{3,24}\)|\d × (?=\d)|\d (?=\d{3}(?!\d))| (?=— )/gu, (whole) =>
+  return text.replace(/\([−±\d.,;/ ]{3,24}\)|\d × (?=\d)|\d (?=\d{3}(?!\d))| (?=— )/gu, (whole) =>
     whole.replaceAll(' ', '\u00a0'),
   );
 }

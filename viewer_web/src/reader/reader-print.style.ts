@@ -24,6 +24,11 @@ export const readerPrint = css`
       orphans: 2;
       widows: 2;
     }
+    /* With "pretty" Chromium ignores orphans and widows. */
+    p,
+    li {
+      text-wrap: wrap;
+    }
     h2 {
       margin-bottom: 8mm;
       font-size: 20pt;
