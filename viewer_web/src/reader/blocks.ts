@@ -8,6 +8,9 @@ import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } 
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
+/** A paragraph of at most this many characters takes three lines in print. */
+const longestShort = 280;
+
 /** The blocks of a story, one below the other. */
 export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
   return withGalleries(all).map((group) => {
@@ -32,7 +35,9 @@ function told(block: Block, telling: Telling): TemplateResult {
     case 'heading':
       return heading(block, telling);
     case 'paragraph':
-      return html`<p>${inlines(block.text, telling)}</p>`;
+      return html`<p class=${plainWords(block.text).length > longestShort ? nothing : 'short'}>
+        ${inlines(block.text, telling)}
+      </p>`;
     case 'list': {
       const items = block.items.map((item) => html`<li>${blocks(item, telling)}</li>`);
       return block.ordered

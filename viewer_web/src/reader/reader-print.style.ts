@@ -24,11 +24,6 @@ export const readerPrint = css`
       orphans: 2;
       widows: 2;
     }
-    /* With "pretty" Chromium ignores orphans and widows. */
-    p,
-    li {
-      text-wrap: wrap;
-    }
     h2 {
       margin-bottom: 8mm;
       font-size: 20pt;
@@ -44,6 +39,8 @@ export const readerPrint = css`
     vidno-command:has(+ pre) {
       break-after: avoid;
     }
+    /* Chromium divides a paragraph of three lines, which is too short for both orphans and widows. */
+    p.short,
     figure,
     tr,
     .table:not(:has(tbody tr:nth-child(13))),
