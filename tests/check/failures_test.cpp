@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "check/check.h"
@@ -242,10 +243,10 @@ TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it
         SceneBuilder(area_16).polygon("Q", red, far_quad).polygon("N", green, near_square).build();
     for (const auto& [method, paints] : std::to_array<std::pair<std::string, std::string>>(
              {{"warnock", "fill"}, {"zbuffer", "span"}, {"weiler-atherton", "paint"}})) {
-        CAPTURE(method);
         Failure failure;
         failure.scene = scene;
         failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(8, 8);
         const SeenFailure found = seen(failure);
         CHECK(found.there.english == "N is painted, not N");
@@ -266,10 +267,10 @@ TEST_CASE(
     const AdmittedScene scene = SceneBuilder(area_16).polygon("N", green, near_square).build();
     for (const auto& [method, has_step] :
          std::to_array<std::pair<std::string, bool>>({{"warnock", true}, {"zbuffer", false}})) {
-        CAPTURE(method);
         Failure failure;
         failure.scene = scene;
         failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(1, 1);
         const SeenFailure found = seen(failure);
         CHECK(found.there.english == "the background is painted, not the background");
@@ -420,6 +421,99 @@ TEST_CASE("Failures: an empty list has no least element") {
         check_run({Method::zbuffer, *kernel_named("double"), edition, scene}, right, hear);
         CHECK(without_next == 2);
     }
+}
+
+namespace {
+
+/// X-W10: every entry of APL has a third element I, whether its polygon is inside, which the parts of a window inherit. Once a polygon
+/// is inside a window, it meets only that window and its parts from then on: one mark for each polygon is enough.
+struct InsideInherited : Corrected {
+    mutable std::set<int> inside;
+
+    WindowSummary process_window(auto& run, const Window& window, auto& active_polygons) const {
+        WindowSummary found = Corrected::process_window(run, window, active_polygons);
+        for (const auto& entry : active_polygons) {
+            if (run.kernel.inside(entry.polygon->box, window)) inside.insert(entry.polygon->index);
+        }
+        if (found.polygon_count == 1) found.insider = inside.count(active_polygons.front().polygon->index) > 0;
+        return found;
+    }
+};
+
+/// X-W11: PointColor counts from 1 in a list whose first element has the number 0.
+struct PointColorFromOne : Corrected {
+    static Color point_color(auto& run, const auto& point, const auto& active_polygons) {
+        auto examined = active_polygons;
+        examined.erase(examined.begin());
+        return Corrected::point_color(run, point, examined);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Failures: an inherited mark for inside draws a polygon over its neighbours") {
+    // A and the nearer B are inside the area, so the area is split. Its lower right part, where B lies, is finished first. A alone is
+    // in the other three and extends beyond each of them: drawn whole, it covers B.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, 0).quad(5, 5, 6, 6, .5).build();
+    Picture without_b(scene->area, white);
+    for (int y = 1; y < 7; ++y) {
+        for (int x = 1; x < 7; ++x) without_b.paint(x, y, color_of(0));
+    }
+    Picture right = without_b;
+    right.paint(5, 5, color_of(1));
+    CHECK(render<Corrected>(Method::warnock, scene, Exact{}) == right);
+    CHECK(render<InsideInherited>(Method::warnock, scene, Exact{}) == without_b);
+}
+
+TEST_CASE("Failures: PointColor from 1 skips the first element of a list from 0") {
+    // The square holds the centre of the only pixel and none of its corners: PointColor decides.
+    const AdmittedScene scene = SceneBuilder({0, 0, 1, 1}).quad(.25, .25, .75, .75, 0).build();
+    CHECK(render<Corrected>(Method::warnock, scene, Exact{}).at(0, 0) == color_of(0));
+    CHECK(render<PointColorFromOne>(Method::warnock, scene, Exact{}).at(0, 0) == white);
+}
+
+namespace {
+
+/// for z = first to last step `step`: z stops beyond the last value, in the direction of the step.
+std::vector<double> values_of_loop(double first, double last, double step) {
+    std::vector<double> values;
+    for (double z = first; step > 0 ? z <= last : z >= last; z += step) values.push_back(z);
+    return values;
+}
+
+}  // namespace
+
+TEST_CASE("Failures: a loop from Zmax to Zmin with a positive step draws nothing") {
+    const double zmin = 0, zmax = 4, step = 1;
+    const auto curves_drawn = [&](double signed_step) {
+        CurveSceneBuilder surface({0, 0, 9, 9});  // y = 8 - z: all curves are visible
+        for (const double z : values_of_loop(zmax, zmin, signed_step)) surface.curve({{0, 8 - z}, {8, 8 - z}});
+        std::set<int> drawn;
+        for (const auto& line : visible_lines(surface.build(), Exact{}).lines) drawn.insert(line.segment.curve);
+        return drawn;
+    };
+    CHECK(curves_drawn(-step) == std::set{0, 1, 2, 3, 4});
+    CHECK(curves_drawn(step).empty());
+}
+
+TEST_CASE("Failures: without the minus in exp the figure is 10^8 high") {
+    const double pi = std::acos(-1.0);
+    const auto highest = [&](double sign) {
+        double found = 0;
+        for (int i = 0; i <= 40; ++i) {
+            for (int j = 0; j <= 40; ++j) {
+                const double x = 2 * pi * i / 40, z = 2 * pi * j / 40;
+                const double a = (x - pi) * (x - pi) + (z - pi) * (z - pi);
+                const double y = std::sin(x) * std::cos(z) / 5 - 1.5 * std::cos(7 * a / 4) * std::exp(sign * a);
+                found = std::max(found, std::abs(y));
+            }
+        }
+        return found;
+    };
+    // With the minus |y| <= 1/5 + 3/2. Without it, at a corner, a = 2 pi^2 = 19.739: 3/2 |cos 34.544| exp(19.739), and
+    // 34.544 = 11 pi - 0.014: the cosine is -1 but for 1e-4, and exp(19.739) = 3.738e8.
+    CHECK(highest(-1) <= 1.7);
+    CHECK(highest(1) == doctest::Approx(1.5 * 3.738e8).epsilon(1e-3));
 }
 
 namespace {

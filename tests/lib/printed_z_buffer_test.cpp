@@ -154,6 +154,17 @@ TEST_CASE_TEMPLATE("X-Z8: an empty AEL has no least element, and the run goes on
     CHECK(none);
 }
 
+TEST_CASE("X-Z9: a depth of 1 that rounding raises is not drawn") {
+    // z = 1/2 + i/12 in column i. Each of the six additions rounds to a multiple of 2^-53 or, from 1 on, of 2^-52.
+    const AdmittedScene scene =
+        SceneBuilder({0, 0, 7, 2}).polygon({{.5, .5, .5}, {6.5, .5, 1}, {6.5, 1.5, 1}, {.5, 1.5, .5}}).build();
+    CHECK(render<Printed>(Method::zbuffer, scene, Double{}).at(5, 0) == color_of(0));
+    CHECK(render<Printed>(Method::zbuffer, scene, Double{}).at(6, 0) == white);
+    CHECK(render(Method::zbuffer, scene, Double{}).at(6, 0) == color_of(0));
+    CHECK_MESSAGE((render<Printed>(Method::zbuffer, scene, Exact{}).at(6, 0) == color_of(0)),
+                  "exactly 1 is not greater than 1");
+}
+
 TEST_CASE_TEMPLATE("The printed edition of the Z-buffer runs to its end on every scene", K, VIDNO_PRINTED_KERNELS) {
     RandomScenes random(7);
     int ended = 0;

@@ -100,8 +100,12 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
 
 constexpr const FigureWords& words_of(Language language) { return figure_words.in(language); }
 
-/// The answers of a map. The English ones are their names.
-inline constexpr auto map_answers = std::to_array<Bilingual>({
+/// The decisions of a map and their answers. The English words are their names.
+inline constexpr auto map_words = std::to_array<Bilingual>({
+    {"orientation", "ориентация"},
+    {"surround", "охват"},
+    {"clip", "отсечение"},
+    {"depth", "глубина"},
     {"negative", "отрицательно"},
     {"zero", "нуль"},
     {"positive", "положительно"},
@@ -111,9 +115,9 @@ inline constexpr auto map_answers = std::to_array<Bilingual>({
     {"not nearer", "не ближе"},
 });
 
-constexpr std::string_view answer_in(Language language, std::string_view name) {
-    for (const auto& answer : map_answers) {
-        if (answer.english == name) return answer.in(language);
+constexpr std::string_view map_word_in(Language language, std::string_view name) {
+    for (const auto& word : map_words) {
+        if (word.english == name) return word.in(language);
     }
     return name;
 }

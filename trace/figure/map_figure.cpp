@@ -42,7 +42,7 @@ Drawing legend(const SignMap& map, const Style& style, double width) {
     const auto& words = words_of(style.language);
     const auto counts = map.counts();
     Table table{
-        .title = std::string(map.decision) + ", " + map.kernel,
+        .title = std::string(map_word_in(style.language, map.decision)) + ", " + map.kernel,
         .columns = {
             {std::string(words.computed), 0.4}, {std::string(words.right), 0.3}, {std::string(words.wrong), 0.3}}};
     for (std::size_t i = 0; i < map.answers.size(); ++i) {
@@ -53,7 +53,7 @@ Drawing legend(const SignMap& map, const Style& style, double width) {
         const auto color = [&](std::size_t exact) {
             return printed(color_of({Sign(int(i) - 1), Sign(int(exact) - 1)}), style.greyscale);
         };
-        table.rows.push_back({{std::string(answer_in(style.language, map.answers[i]))},
+        table.rows.push_back({{std::string(map_word_in(style.language, map.answers[i]))},
                               {std::to_string(right), color(i)},
                               {std::to_string(all - right), color((i + 1) % 3)}});
     }

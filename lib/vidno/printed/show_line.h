@@ -5,6 +5,7 @@
 /// X-Z4  a span of one point divides by zero.
 /// X-Z5  x starts at a fractional x1: the painted pixels and their depths are off by up to a pixel.
 /// X-Z7  the last polygon wins a tie.
+/// X-Z9  a depth greater than 1 never shows.
 #pragma once
 
 #include "../fault.h"

@@ -50,8 +50,9 @@ export class TermElement extends LitElement {
       display: block;
     }
     @media print {
+      /* A button is a box, and a line may end beside it, even before a full stop. */
       button {
-        text-decoration: none;
+        display: contents;
       }
     }
   `;

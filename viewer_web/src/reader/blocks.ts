@@ -8,6 +8,9 @@ import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } 
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
+/** A paragraph of at most this many characters takes three lines in print. */
+const longestShort = 280;
+
 /** The blocks of a story, one below the other. */
 export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
   return withGalleries(all).map((group) => {
@@ -32,7 +35,9 @@ function told(block: Block, telling: Telling): TemplateResult {
     case 'heading':
       return heading(block, telling);
     case 'paragraph':
-      return html`<p>${inlines(block.text, telling)}</p>`;
+      return html`<p class=${plainWords(block.text).length > longestShort ? nothing : 'short'}>
+        ${inlines(block.text, telling)}
+      </p>`;
     case 'list': {
       const items = block.items.map((item) => html`<li>${blocks(item, telling)}</li>`);
       return block.ordered
@@ -53,7 +58,9 @@ function told(block: Block, telling: Telling): TemplateResult {
         ? html`<vidno-command .text=${block.text} .texts=${telling.texts}></vidno-command>`
         : html`<pre tabindex="0"><code>${block.text}</code></pre>`;
     case 'formula':
-      return html`<div class="formula" tabindex="0">${formula(block.tex, true)}</div>`;
+      return html`<div class="formula" tabindex="0">
+        ${formula(block.tex, telling.language, true)}
+      </div>`;
     case 'figure':
       return figure(block, telling);
     case 'table':

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { glued, withWholePoints } from './glue.js';
+import { glued, withoutBadBreaks } from './glue.js';
 
 const z = { is: 'formula', tex: 'z' } as const;
 
@@ -20,9 +20,23 @@ describe('a formula', () => {
   });
 
   it('keeps the coordinates of a point together, and no other words', () => {
-    expect(withWholePoints('at (8; −6) and (1/2, 0, 3) (or so, 4)')).toBe(
-      'at (8;\u00a0−6) and (1/2,\u00a00,\u00a03) (or so, 4)',
+    expect(withoutBadBreaks('at (8; −6), (±1, 0) and (1/2, 0, 3) (or so, 4)')).toBe(
+      'at (8;\u00a0−6), (±1,\u00a00) and (1/2,\u00a00,\u00a03) (or so, 4)',
     );
+  });
+
+  it('keeps the sides of an area together', () => {
+    expect(withoutBadBreaks('a window of 4 × 4 pixels')).toBe('a window of 4\u00a0×\u00a04 pixels');
+  });
+
+  it('keeps a Russian number on one line', () => {
+    expect(withoutBadBreaks('из 65 536 ответов верны 256')).toBe(
+      'из 65\u00a0536 ответов верны 256',
+    );
+  });
+
+  it('begins no line with a dash', () => {
+    expect(withoutBadBreaks('Слева R, справа — P.')).toBe('Слева R, справа\u00a0— P.');
   });
 
   it('takes nothing from separate words or another formula', () => {

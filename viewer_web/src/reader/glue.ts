@@ -11,9 +11,11 @@ export interface Glued {
 const opening = /[([{«„“‘]+$/u;
 const closing = /^(?:[)\]}»”’.,;:!?…]+|[-‑]\p{L}*)/u;
 
-/** Keeps the coordinates of a point on one line. */
-export function withWholePoints(text: string): string {
-  return text.replace(/\([−\d.,;/ ]{3,24}\)/gu, (point) => point.replaceAll(' ', '\u00a0'));
+/** Keeps on one line the coordinates of a point, the two sides of an area, a number, and a dash with the word before it. */
+export function withoutBadBreaks(text: string): string {
+  return text.replace(/\([−±\d.,;/ ]{3,24}\)|\d × (?=\d)|\d (?=\d{3}(?!\d))| (?=— )/gu, (whole) =>
+    whole.replaceAll(' ', '\u00a0'),
+  );
 }
 
 /** Browsers allow a line break before and after a formula, whatever character is there. */

@@ -2,7 +2,7 @@ import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { withTerms } from '../elements/term.js';
 import { formula } from './formula.js';
-import { glued, withWholePoints } from './glue.js';
+import { glued, withoutBadBreaks } from './glue.js';
 import type { Glued } from './glue.js';
 import type { Inline, Inlines, PinLink } from './story.js';
 import { withoutTerms } from './telling.js';
@@ -10,11 +10,14 @@ import type { Telling } from './telling.js';
 
 type Told = string | TemplateResult;
 
+/** Code of at most this many characters stays on one line: a line must not end after the hyphens of an option. */
+const longestWhole = 24;
+
 /** The inlines of a text as templates. Without a telling there are no links, as in a table of contents. */
 export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
   return glued(text).flatMap((inline) => {
     if (typeof inline !== 'string') return [told(inline, telling)];
-    const words = withWholePoints(inline);
+    const words = withoutBadBreaks(inline);
     return telling?.terms ? withTerms(words, telling.terms) : [words];
   });
 }
@@ -26,11 +29,15 @@ function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null):
     case 'strong':
       return html`<strong>${inlines(inline.text, telling)}</strong>`;
     case 'code':
-      return html`<code>${inline.text}</code>`;
+      return html`<code class=${inline.text.length > longestWhole ? nothing : 'glued'}
+        >${inline.text}</code
+      >`;
     case 'formula':
-      return formula(inline.tex);
+      return formula(inline.tex, telling?.language ?? 'en');
     case 'glued':
-      return html`<span class="glued">${inline.before}${formula(inline.tex)}${inline.after}</span>`;
+      return html`<span class="glued"
+        >${inline.before}${formula(inline.tex, telling?.language ?? 'en')}${inline.after}</span
+      >`;
     case 'pin':
     case 'lesson':
     case 'link':

@@ -21,8 +21,8 @@ export const readerPrint = css`
       padding: 0;
       font-size: 11pt;
       line-height: 1.45;
-      orphans: 3;
-      widows: 3;
+      orphans: 2;
+      widows: 2;
     }
     h2 {
       margin-bottom: 8mm;
@@ -35,11 +35,15 @@ export const readerPrint = css`
       font-size: 11.5pt;
     }
     :is(h2, h3, h4),
-    p:has(+ :is(pre, vidno-command, figure, .formula, .table, ul, ol)) {
+    p:has(+ :is(pre, vidno-command, figure, .gallery, .formula, .table, .listing, ul, ol)),
+    vidno-command:has(+ pre) {
       break-after: avoid;
     }
+    /* Chromium divides a paragraph of three lines, which is too short for both orphans and widows. */
+    p.short,
     figure,
     tr,
+    .table:not(:has(tbody tr:nth-child(13))),
     pre,
     .formula {
       break-inside: avoid;
@@ -88,8 +92,9 @@ export const readerPrint = css`
       font: 600 8.5pt var(--sans);
       break-after: avoid;
     }
-    .listing li,
-    .frame {
+    .listing ol,
+    .frame,
+    .sources {
       break-inside: avoid;
     }
     .listing p {
@@ -100,7 +105,10 @@ export const readerPrint = css`
     }
     figure img {
       padding: 0;
-      max-height: 110mm;
+      max-height: 190mm;
+    }
+    .gallery {
+      grid-template-columns: repeat(auto-fill, minmax(40mm, 1fr));
     }
   }
 `;
