@@ -2,6 +2,7 @@
 ///
 /// Takes   a row, the two ends (active edges, or the vertices of a level one), and the polygon.
 /// Gives   picture and depths changed at the pixel centres from the left end to the right, both included.
+///         Without a visitor the picture may change only after the last line (ColorsFollow).
 /// Time    one addition and one comparison for each pixel; under rounding the depth drifts with every step.
 #pragma once
 
