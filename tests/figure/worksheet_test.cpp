@@ -370,7 +370,7 @@ TEST_CASE("worksheet: a scene that does not fit is refused, and no file appears"
         return refused.text;
     };
     const std::string to = " -o " + work.file("a.pdf");
-    CHECK(reason(crowd + to).find("11 polygons, a worksheet has room for 10") != std::string::npos);
+    CHECK(reason(crowd + to).find("11 polygons, but a worksheet takes at most 10") != std::string::npos);
     CHECK(reason(large + to).find("41 pixels a side") != std::string::npos);
     CHECK(reason(wall + " " + large + to).find("41 pixels a side") != std::string::npos);
     CHECK(reason(wall + " -o " + work.file("a.svg")).find("not .pdf") != std::string::npos);
@@ -392,7 +392,7 @@ TEST_CASE("worksheet: a surface has the floating horizon's sheets, and no others
         CHECK(refused.status == 2);
         return refused.text;
     };
-    CHECK(reason(wide).find("18 columns, a worksheet has room for 17") != std::string::npos);
+    CHECK(reason(wide).find("18 columns, but a worksheet takes at most 17") != std::string::npos);
     CHECK(reason(curves + " --method zbuffer").find("a surface, which only --method floating-horizon draws") !=
           std::string::npos);
     CHECK(reason(wall + " --method floating-horizon").find("is not a surface") != std::string::npos);

@@ -14,7 +14,7 @@ constexpr double title_size = 11;  // points
 
 void expect_at_most(std::size_t most, std::size_t count, const char* what, const std::string& file) {
     if (count <= most) return;
-    throw Refused(file + ": " + std::to_string(count) + " " + what + ", a worksheet has room for " +
+    throw Refused(file + ": " + std::to_string(count) + " " + what + ", but a worksheet takes at most " +
                   std::to_string(most));
 }
 

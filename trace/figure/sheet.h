@@ -14,7 +14,7 @@
 
 namespace vidno::figures {
 
-/// Refuses a file that has more of something than a worksheet has room for.
+/// Refuses a file that has more of something than a worksheet takes.
 void expect_at_most(std::size_t most, std::size_t count, const char* what, const std::string& file);
 
 class Sheet {
