@@ -164,16 +164,6 @@ TEST_CASE("A Russian formula has a decimal comma, a space between thousands, and
     CHECK(differences("At $`0.5`$.", "В $`0{,}6`$.") == 1);
 }
 
-TEST_CASE("A Russian line breaks neither before a dash nor within a point or a number") {
-    Problems problems;
-    const std::string words = "Точка (1; 2,5; 3)\n— это одна из 65 536 точек.";
-    const std::string story = in_russian(beginning + words + '\n' + ending);
-    CHECK(read_story(story, Language::russian, "story.ru.md", problems).blocks[0]["text"][0] ==
-          "Точка (1;\u00a02,5;\u00a03)\u00a0— это одна из 65\u00a0536 точек.");
-    CHECK(problems.empty());
-    CHECK(block_of("A point — one of 2; 3.")["text"][0] == "A point — one of 2; 3.");
-}
-
 TEST_CASE("The list below the title holds the learning goals") {
     Problems problems;
     const Story story = story_of("Words.", problems);

@@ -77,17 +77,6 @@ std::string in_english(std::string tex) {
     return std::regex_replace(tex, semicolon, "$1,");
 }
 
-/// Keeps on one line what Russian does not break: a dash and what precedes it, the coordinates of a point, the thousands
-/// of a number.
-std::string unbroken(std::string text) {
-    static const std::regex dash(" —"), thousands(R"((\d) (?=\d{3}(?!\d)))");
-    static const std::regex coordinates(R"((\([^()A-Za-z]*;) (?=[^()A-Za-z]*\)))");
-    text = std::regex_replace(text, dash, "\u00a0—");
-    text = std::regex_replace(text, thousands, "$1\u00a0");
-    while (std::regex_search(text, coordinates)) text = std::regex_replace(text, coordinates, "$1\u00a0");
-    return text;
-}
-
 class StoryReader {
 public:
     StoryReader(Language language, const std::string& file, Problems& problems)
@@ -321,7 +310,7 @@ private:
                 append(content, nodes[i]);
             }
         }
-        return with_unbroken(without_empty(content));
+        return without_empty(content);
     }
 
     /// Code between dollars: $`x`$.
@@ -352,14 +341,6 @@ private:
             if (!is_empty) kept.push_back(each);
         }
         return kept;
-    }
-
-    Json with_unbroken(Json content) const {
-        if (language_ != Language::russian) return content;
-        for (Json& each : content) {
-            if (each.is_string()) each = unbroken(each.get<std::string>());
-        }
-        return content;
     }
 
     void append(Json& content, cmark_node* node) {

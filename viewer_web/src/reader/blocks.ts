@@ -58,9 +58,7 @@ function told(block: Block, telling: Telling): TemplateResult {
         ? html`<vidno-command .text=${block.text} .texts=${telling.texts}></vidno-command>`
         : html`<pre tabindex="0"><code>${block.text}</code></pre>`;
     case 'formula':
-      return html`<div class="formula" tabindex="0">
-        ${formula(block.tex, telling.language, true)}
-      </div>`;
+      return html`<div class="formula" tabindex="0">${formula(block.tex, true)}</div>`;
     case 'figure':
       return figure(block, telling);
     case 'table':

@@ -33,11 +33,9 @@ function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null):
         >${inline.text}</code
       >`;
     case 'formula':
-      return formula(inline.tex, telling?.language ?? 'en');
+      return formula(inline.tex);
     case 'glued':
-      return html`<span class="glued"
-        >${inline.before}${formula(inline.tex, telling?.language ?? 'en')}${inline.after}</span
-      >`;
+      return html`<span class="glued">${inline.before}${formula(inline.tex)}${inline.after}</span>`;
     case 'pin':
     case 'lesson':
     case 'link':
