@@ -83,6 +83,12 @@ const courses: readonly Course[] = [
   },
   { name: 'the Z-buffer', traces: rows, inPicture: ['ael', 'pixels'], inPanel: [] },
   {
+    name: 'SideEdge',
+    traces: [lesson('15-floating-horizon.edges.floating-horizon.double.corrected.signs')],
+    inPicture: ['sideEdge'],
+    inPanel: [],
+  },
+  {
     name: 'the floating horizon',
     traces: [sampleTrace('hills.floating-horizon.signs')],
     inPicture: ['flags', 'horizons', 'meeting'],
@@ -92,7 +98,7 @@ const courses: readonly Course[] = [
     name: 'Weiler and Atherton’s algorithm',
     traces: [...regions, sampleTrace('wedge.weiler-atherton.polygons')],
     inPicture: ['entering', 'walk'],
-    inPanel: ['piercing', 'sort', 'parted', 'behind', 'stack'],
+    inPanel: ['piercing', 'sort', 'parted', 'behind', 'stack', 'painted'],
   },
 ];
 const wanted = 3;

@@ -2,7 +2,7 @@ import { defineAlgorithm } from '../algorithm/algorithm.js';
 import { columnThing, curveThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import type { Event } from '../trace/events.js';
-import { flags, horizons, meeting } from './ask.js';
+import { flags, horizons, meeting, sideEdge } from './ask.js';
 import { figureOf } from './figure.js';
 import { ColumnWatch } from './history.js';
 import './model.js';
@@ -48,7 +48,7 @@ defineAlgorithm(['floating-horizon'], {
   watch: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
   heading: ({ floatingHorizon }) => floatingHorizon?.curve ?? null,
   abouts: {},
-  askers: { flags, horizons, meeting },
+  askers: { flags, horizons, sideEdge, meeting },
   facts: () => [],
   polygonsAsked: () => [],
   counts: { curves: ['curve'], flags: ['visibility'], crossings: ['intersection'] },

@@ -28,14 +28,21 @@ const over = (x: number, { y, height }: Area): readonly Mark[] => [
   ]),
 ];
 
-/** A column with the values over it, which help to answer. */
-const columnOption = (area: Area, x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
+/** A column with the values over it, which help to answer; without y, that is to be computed. */
+const columnOption = (
+  area: Area,
+  x: number,
+  y: N | null,
+  upper?: N | null,
+  lower?: N | null,
+): Option => ({
   value: String(x),
   places: over(x, area),
   note: ({ numbers, curves }) => {
     const shown = (value: N | null | undefined): string =>
       value === null || value === undefined ? '—' : numbers.short(value);
-    return `y = ${numbers.short(y)}; ${curves.upper} ${shown(upper)}; ${curves.lower} ${shown(lower)}`;
+    const height = y === null ? '' : `y = ${numbers.short(y)}; `;
+    return `${height}${curves.upper} ${shown(upper)}; ${curves.lower} ${shown(lower)}`;
   },
 });
 
@@ -55,6 +62,54 @@ function heightsBefore({ timeline }: Trace, step: number): ReadonlyMap<number, H
 
 const curveOf = (trace: Trace, step: number): number =>
   trace.timeline.seek(step).values.floatingHorizon?.curve ?? 0;
+
+/** The last sample on a side of the surface before a step. */
+function sideBefore({ timeline }: Trace, step: number, at: Event<'side_edge'>['at']) {
+  for (let back = step - 1; back > 0; back--) {
+    const event = timeline.event(back);
+    if (event?.e === 'side_edge' && event.at === at) return event.sample;
+  }
+  return null;
+}
+
+/** Over which columns does a side edge move the horizons? */
+export const sideEdge: Asker<'sideEdge'> = {
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.at !== 'SE2') return null;
+    const result = nextOf(trace, step, 'horizon', 'curve');
+    const end = nextOf(trace, step, 'side_edge', 'curve');
+    const from = end === null ? null : sideBefore(trace, step, end.event.at);
+    if (result === null || end === null || from === null) return null;
+    const { first, last } = result.event;
+    const count = last - first + 1;
+    if (count < 2 || count > mostColumns) return null;
+    const { columns, values } = trace.timeline.seek(step);
+    const { area } = trace.header.scene;
+    const now = (which: 'upper' | 'lower', x: number): N | null =>
+      columns?.horizons[which].row(0)[x - area.x] ?? null;
+    const options = Array.from({ length: count }, (_, i) => first + i).map((x) =>
+      columnOption(area, x, null, now('upper', x), now('lower', x)),
+    );
+    const raised = stepsOf(trace, step, result.step, 'raise');
+    const lowered = stepsOf(trace, step, result.step, 'lower');
+    const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
+      of.map(({ event }) => String(event.x));
+    return {
+      kind: 'sideEdge',
+      step,
+      until: result.step,
+      about: { curve: values.floatingHorizon?.curve ?? 0, from, to: end.event.sample },
+      parts: [
+        { asks: 'raised', options, right: places(raised) },
+        { asks: 'lowered', options, right: places(lowered) },
+      ],
+      because: inOrder(raised, lowered, [result]),
+      things: [columnThing(first)],
+    };
+  },
+};
 
 /** How does the curve lie relative to the horizons over the next columns? */
 export const flags: Asker<'flags'> = {

@@ -12,6 +12,7 @@ import type { Values } from '../replay/state.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { Trace } from '../replay/trace.js';
+import type { N } from '../trace/values.js';
 import { corners as places } from '../trace/events.js';
 import { parts as forms } from './question.js';
 import type { Abouts, Kind, Question } from './question.js';
@@ -196,6 +197,21 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
       expect(right['lowered']?.includes(value)).toBe(changes('lower'));
     }
   },
+  sideEdge: ({ trace, question, right }) => {
+    if (question.kind !== 'sideEdge') return;
+    // The height of the edge over a column, from its ends; heights grow downward.
+    const [[x1 = NaN, y1 = NaN], [x2 = NaN, y2 = NaN]] = [
+      question.about.from.map(toNumber),
+      question.about.to.map(toNumber),
+    ] as const;
+    for (const { value } of question.parts[0]?.options ?? []) {
+      const y = y1 + ((Number(value) - x1) / (x2 - x1)) * (y2 - y1);
+      const now = (which: 'upper' | 'lower'): number =>
+        toNumber(over(trace, question.step, value, which) ?? 'nan');
+      expect(right['raised']?.includes(value)).toBe(!(y >= now('upper')));
+      expect(right['lowered']?.includes(value)).toBe(!(y <= now('lower')));
+    }
+  },
   meeting: ({ trace, question, right }) => {
     // The place where the straight segment is as high as the straight horizon that it was compared with.
     const [from, to] = question.parts[1]?.options.map(({ value }) => value).filter(Number) ?? [];
@@ -213,7 +229,12 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
 };
 
 /** The state over the columns. The page computes it from the events, independent of the question. */
-const over = (trace: Trace, step: number, x: string, which: 'upper' | 'lower'): unknown =>
+const over = (
+  trace: Trace,
+  step: number,
+  x: string,
+  which: 'upper' | 'lower',
+): N | null | undefined =>
   trace.timeline.seek(step).columns?.horizons[which].row(0)[Number(x) - trace.header.scene.area.x];
 
 describe.each(all)('every question of %s', { timeout: 60_000 }, (_name, content) => {

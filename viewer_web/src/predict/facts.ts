@@ -13,8 +13,10 @@ const vertices = (polygon: Polygon | undefined, { list, inFull }: Numbers): stri
   (polygon?.vertices ?? []).map((vertex) => `(${list(vertex, inFull)})`).join(' ');
 
 /** The polygons that a question is about. */
-const idsOf = (view: View, { about }: Question): readonly string[] =>
-  algorithmOf(view.header).polygonsAsked(view, 'polygon' in about ? about.polygon : null);
+const idsOf = (view: View, { about }: Question): readonly string[] => [
+  ...algorithmOf(view.header).polygonsAsked(view, 'polygon' in about ? about.polygon : null),
+  ...('other' in about ? [about.other] : []),
+];
 
 function polygonFacts(view: View, question: Question): readonly Fact[] {
   const { header, texts: page, language } = view;

@@ -24,6 +24,7 @@ export const kinds = [
   'pixels',
   'flags',
   'horizons',
+  'sideEdge',
   'meeting',
   'piercing',
   'sort',
@@ -32,6 +33,7 @@ export const kinds = [
   'walk',
   'behind',
   'stack',
+  'painted',
 ] as const;
 export type Kind = (typeof kinds)[number];
 
@@ -69,6 +71,8 @@ export const parts = {
   cornerSigns: ['row', 'sign'],
   meetsFirst: ['one', 'edge'],
   z: ['table', 'number'],
+  bothDepths: ['table', 'number'],
+  nearerThere: ['one', 'relation'],
   spanning: ['some', 'edge'],
   covered: ['some', 'column'],
   popped: ['one', 'window'],
@@ -134,6 +138,7 @@ const tables = {
   plane: ['a', 'b', 'd'],
   boundaries: ['column', 'row'],
   z: ['z'],
+  bothDepths: ['z', 'otherZ'],
   entries: ['x', 'until'],
 } as const satisfies Partial<Readonly<Record<Asks, readonly string[]>>>;
 export type Column = (typeof tables)[keyof typeof tables][number];
@@ -210,6 +215,13 @@ export interface Abouts {
   readonly flags: { readonly curve: number };
   readonly horizons: { readonly curve: number };
   readonly meeting: { readonly curve: number };
+  /** The ends of the edge: a sample of an earlier curve, and one of this curve. */
+  readonly sideEdge: {
+    readonly curve: number;
+    readonly from: readonly N[];
+    readonly to: readonly N[];
+  };
+  readonly painted: { readonly polygon: string; readonly other: string; readonly point: Point };
   readonly piercing: { readonly polygons: readonly string[] };
   readonly sort: { readonly pieces: number };
   readonly parted: { readonly clip: string; readonly pieces: number };

@@ -6,7 +6,7 @@ import type { Box } from '../trace/values.js';
 import { sorted } from './questions.js';
 import type { Agrees } from './questions.js';
 
-type Kinds = 'plane' | 'facing' | 'split' | 'trial' | 'depth' | 'edgeDepth' | 'fill';
+type Kinds = 'painted' | 'plane' | 'facing' | 'split' | 'trial' | 'depth' | 'edgeDepth' | 'fill';
 type Place = readonly [x: number, y: number];
 
 function polygonOf({ scene }: Header, id: string): Polygon {
@@ -113,6 +113,18 @@ export const polygonsAgree: Readonly<Record<Kinds, Agrees>> = {
     const z = planeOf(polygonOf(header, question.about.polygon))(x, y);
     const size = Math.max(1, Math.abs(z));
     if (Math.abs(z) < 1e3) expect(Number(right['z']?.[0]) / size).toBeCloseTo(z / size, 3);
+  },
+  painted: ({ trace: { header }, question, right }) => {
+    if (question.kind !== 'painted') return;
+    const { polygon, other, point } = question.about;
+    const [x = NaN, y = NaN] = point.map(toNumber);
+    const [z = NaN, otherZ = NaN] = [polygon, other].map((id) =>
+      planeOf(polygonOf(header, id))(x, y),
+    );
+    const [ofOne, ofOther] = right['bothDepths']?.map(Number) ?? [];
+    expect(ofOne).toBeCloseTo(z, 6);
+    expect(ofOther).toBeCloseTo(otherZ, 6);
+    if (Math.abs(z - otherZ) > 1e-6) expect(right['nearerThere']).toEqual([z > otherZ ? '>' : '<']);
   },
   edgeDepth: ({ trace: { header }, question, right }) => {
     if (question.kind !== 'edgeDepth') return;

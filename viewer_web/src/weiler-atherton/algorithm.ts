@@ -4,6 +4,7 @@ import { polygonInHand } from '../picture/in-hand.js';
 import { activeDrawing } from '../solid/drawing.js';
 import { behind } from './ask-behind.js';
 import { entering } from './ask-entering.js';
+import { painted } from './ask-painted.js';
 import { parted } from './ask-parted.js';
 import { piercing } from './ask-piercing.js';
 import { sort } from './ask-sort.js';
@@ -49,7 +50,7 @@ defineAlgorithm(['weiler-atherton'], {
       ? { why: 'region', polygon: event.polygon }
       : { why: 'untouched', polygon: null },
   abouts: {},
-  askers: { plane, piercing, sort, parted, entering, walk, behind, stack },
+  askers: { plane, piercing, sort, parted, entering, walk, behind, stack, painted },
   facts,
   polygonsAsked,
   counts: {

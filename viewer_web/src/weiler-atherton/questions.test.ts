@@ -13,6 +13,15 @@ import { sayRight } from '../predict/say.js';
  */
 const wall = (): Promise<Trace> => traceOf(textOf('wall.weiler-atherton.signs.jsonl'));
 
+describe('PaintRegions asks', () => {
+  it('for the depths of two polygons at a pixel of regions of both', async () => {
+    // W has the depth x / 16, which is 9/32 at x = 9/2. Q lies at 3/4.
+    const question = questionFrom(await wall(), 1, 'painted');
+    expect(question.about).toEqual({ polygon: 'W', other: 'Q', point: ['9/2', '13/2'] });
+    expect(answers(question)).toEqual({ bothDepths: ['0.28125', '0.75'], nearerThere: ['<'] });
+  });
+});
+
 describe('Weiler and Atherton’s algorithm asks', () => {
   it('which polygon is the first by depth', async () => {
     // W has 2/16 at its left side and 14/16 at its right side, which is more than 3/4 and -1/2.

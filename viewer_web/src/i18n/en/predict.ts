@@ -34,6 +34,7 @@ export const predict: PredictTexts = {
     pixels: 'pixels of a row',
     flags: 'flags of columns',
     horizons: 'the new horizons',
+    sideEdge: 'the side of the surface',
     meeting: 'where a horizon is met',
     piercing: 'what pierces',
     sort: 'the depth sort',
@@ -42,6 +43,7 @@ export const predict: PredictTexts = {
     walk: 'the walk along outlines',
     behind: 'what is behind',
     stack: 'the next list',
+    painted: 'the nearer of two regions',
   },
   intro: {
     plane: ({ polygon, c }) =>
@@ -94,6 +96,10 @@ export const predict: PredictTexts = {
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one.`,
     flags: ({ curve }) =>
       `Visibility: curve ${curve} over the next columns. Beside each are its height, which grows downward, and the horizons.`,
+    sideEdge: ({ curve, from, to }) =>
+      `SideEdge: from ${point(from)} to ${point(to)}, the end of curve ${curve}. Beside each column between are the horizons; heights grow downward.`,
+    painted: ({ polygon, other, point: at }) =>
+      `PaintRegions: the centre ${point(at)} belongs to regions of ${polygon} and ${other}. z is the depth of ${polygon} there, z′ that of ${other}.`,
     horizons: ({ curve }) =>
       `Horizon: a segment of curve ${curve} over two columns. Beside each are its height, which grows downward, and the horizons.`,
     meeting: ({ curve }) =>
@@ -107,6 +113,8 @@ export const predict: PredictTexts = {
     cornerSigns: 'Which signs has f for this edge at the corners of the window?',
     meetsFirst: 'Which edge is the first that meets the window?',
     z: 'What is the depth?',
+    bothDepths: 'What are the depths?',
+    nearerThere: 'z against z′:',
     spanning: 'Which edges have the point between their ends?',
     covered: 'Which of these pixels are covered?',
     popped: 'Which window is popped next?',
@@ -171,6 +179,7 @@ export const predict: PredictTexts = {
       column: 'column',
       row: 'row',
       z: 'z',
+      otherZ: 'z′',
       x: 'x',
       until: 'last row',
     },

@@ -34,6 +34,7 @@ export const predict: PredictTexts = {
     pixels: 'пиксели строки',
     flags: 'флаги столбцов',
     horizons: 'новые горизонты',
+    sideEdge: 'бок поверхности',
     meeting: 'встреча с горизонтом',
     piercing: 'что протыкает',
     sort: 'сортировка по глубине',
@@ -42,6 +43,7 @@ export const predict: PredictTexts = {
     walk: 'обход по контурам',
     behind: 'что сзади',
     stack: 'следующий список',
+    painted: 'ближайшая из двух областей',
   },
   intro: {
     plane: ({ polygon, c }) =>
@@ -94,6 +96,10 @@ export const predict: PredictTexts = {
       `ShowLine: ${polygon} в строке ${row}, там, где уже что-то нарисовано. Рядом с каждой глубиной — записанная в Z-буфере.`,
     flags: ({ curve }) =>
       `Visibility: кривая ${curve} над следующими столбцами. У каждого — её высота (растёт вниз) и горизонты.`,
+    sideEdge: ({ curve, from, to }) =>
+      `SideEdge: от ${point(from)} до ${point(to)}, конца кривой ${curve}. У каждого столбца между ними — горизонты; высоты растут вниз.`,
+    painted: ({ polygon, other, point: at }) =>
+      `PaintRegions: центр ${point(at)} принадлежит областям ${polygon} и ${other}. Глубина ${polygon} в нём — z, глубина ${other} — z′.`,
     horizons: ({ curve }) =>
       `Horizon: отрезок кривой ${curve} над двумя столбцами. У каждого — его высота (растёт вниз) и горизонты.`,
     meeting: ({ curve }) =>
@@ -107,6 +113,8 @@ export const predict: PredictTexts = {
     cornerSigns: 'Каковы знаки f для этого ребра в углах окна?',
     meetsFirst: 'Какое ребро первым задевает окно?',
     z: 'Чему равна глубина?',
+    bothDepths: 'Чему равны глубины?',
+    nearerThere: 'z и z′:',
     spanning: 'У каких рёбер точка лежит между концами?',
     covered: 'Какие из этих пикселей покрыты?',
     popped: 'Какое окно будет взято из стека?',
@@ -171,6 +179,7 @@ export const predict: PredictTexts = {
       column: 'столбец',
       row: 'строка',
       z: 'z',
+      otherZ: 'z′',
       x: 'x',
       until: 'последняя строка',
     },
