@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -1028,10 +1029,11 @@ TEST_CASE("Lines that leave the range of doubles are drawn with finite numbers")
     const std::string surface =
         work.write("steep.json", R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":8,"height":8},)"
                                  R"("curves":[[[0,1.7e308],[7,-1.7e308]]]})");
+    const std::regex words(R"(>[^<\n]*</text>|\{[^{}\n]*\}\};)");  // a caption may say 1.70e+308
     const auto check_finite = [&](const std::string& call, const std::string& name) {
         CAPTURE(call);
         CHECK(program(call + " -o " + work.file(name)).status == 0);
-        const std::string drawing = work.read(name);
+        const std::string drawing = std::regex_replace(work.read(name), words, "");
         CHECK_FALSE(drawing.empty());
         CHECK(drawing.find("inf") == std::string::npos);
         CHECK(drawing.find("nan") == std::string::npos);

@@ -154,7 +154,8 @@ TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes no
     refused("need " + surface, for_polygons);
     refused("choose " + surface, for_polygons);
     refused("homework " + surface + " -o " + work.file("out"), for_polygons);
-    refused("worksheet " + surface + " -o " + work.file("out.pdf"), for_polygons);
+    refused("worksheet --method warnock " + surface + " -o " + work.file("out.pdf"),
+            surface + ": a surface, which only --method floating-horizon draws");
     refused("map " + surface, surface + ": a surface, not a decision to map, vidno-question/1");
     refused("figure " + surface + " -o " + work.file("out.svg"),
             surface + ": a surface; vidno render draws surfaces, and vidno figure draws their traces");

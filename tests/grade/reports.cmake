@@ -11,7 +11,7 @@ function(must_end program words)
     must_say(${program} 1 "The program ${words}")
 endfunction()
 
-must_end(crash "crashed (SIGSEGV): it reached for memory")
+must_end(crash "crashed (SIGSEGV): it accessed memory")
 must_end(endless_loop "did not end within 1 s")
 must_end(endless_output "")  # exceeds the limit of time or of output, depending on the speed of the disk
 must_end(endless_printing "wrote more than 64 MiB")
