@@ -55,7 +55,10 @@ const courses: readonly Course[] = [
   },
   {
     name: 'EdgeDepth',
-    traces: [sampleTrace('edges.warnock-edges.signs')],
+    traces: [
+      sampleTrace('edges.warnock-edges.signs'),
+      lesson('11-warnock-family.board.warnock-edges.double.corrected.signs'),
+    ],
     inPicture: [],
     inPanel: ['edgeDepth'],
   },

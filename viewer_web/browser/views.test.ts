@@ -134,7 +134,7 @@ describe('the title', () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first');
     const words = page.locator('vidno-run-words');
     for (const [word, meaning] of [
-      ['corrected', 'errors put right'],
+      ['corrected', 'printing errors corrected'],
       ['double', '53 significant bits'],
       ['signs', 'sign of each decision'],
     ] as const) {
