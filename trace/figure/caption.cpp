@@ -281,7 +281,7 @@ struct CurveSentence : Sayer {
 
 std::string said_or_line(const auto& moment, const auto& sentence) {
     if (!moment.event()) return std::string(words_of(sentence.language).start);
-    const std::string said = moment.event()->visit(sentence);
+    std::string said = moment.event()->visit(sentence);
     if (!said.empty()) return said;
     const Line at = moment.event()->visit([](const auto& e) { return e.at; });
     return std::string(line_names[std::size_t(at)]) + ": " + text_of(at, moment.header().edition, sentence.language);
