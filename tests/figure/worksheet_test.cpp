@@ -248,7 +248,7 @@ TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
 }
 
 TEST_CASE("worksheet: the windows of a closed body, by hand") {
-    // Of the box around the area, only D at z = 1/2 looks towards the viewer: A looks away, and the other faces are edge-on.
+    // Only face D of the box around the area, at z = 1/2, looks towards the viewer: A looks away, and the other faces are edge-on.
     test::SceneBuilder builder({0, 0, 4, 4});
     test::add_body(builder, test::parallelepiped({-2, -2, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, .5}));
     const WorkedRun run(builder.build(), Method::warnock_bodies);

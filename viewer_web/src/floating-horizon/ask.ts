@@ -63,6 +63,30 @@ function heightsBefore({ timeline }: Trace, step: number): ReadonlyMap<number, H
 const curveOf = (trace: Trace, step: number): number =>
   trace.timeline.seek(step).values.floatingHorizon?.curve ?? 0;
 
+type Which = 'upper' | 'lower';
+
+/** The height of a horizon over a column at a step; null if there is none. */
+function horizonAt({ timeline, header }: Trace, step: number) {
+  const { columns } = timeline.seek(step);
+  return (which: Which, x: number): N | null =>
+    columns?.horizons[which].row(0)[x - header.scene.area.x] ?? null;
+}
+
+/** The parts that ask over which of some columns each horizon moves, and the steps that move them. */
+function moved(trace: Trace, step: number, until: number, options: readonly Option[]) {
+  const raised = stepsOf(trace, step, until, 'raise');
+  const lowered = stepsOf(trace, step, until, 'lower');
+  const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
+    of.map(({ event }) => String(event.x));
+  return {
+    parts: [
+      { asks: 'raised', options, right: places(raised) },
+      { asks: 'lowered', options, right: places(lowered) },
+    ] as const,
+    steps: [...raised, ...lowered],
+  };
+}
+
 /** The last sample on a side of the surface before a step. */
 function sideBefore({ timeline }: Trace, step: number, at: Event<'side_edge'>['at']) {
   for (let back = step - 1; back > 0; back--) {
@@ -85,27 +109,18 @@ export const sideEdge: Asker<'sideEdge'> = {
     const { first, last } = result.event;
     const count = last - first + 1;
     if (count < 2 || count > mostColumns) return null;
-    const { columns, values } = trace.timeline.seek(step);
-    const { area } = trace.header.scene;
-    const now = (which: 'upper' | 'lower', x: number): N | null =>
-      columns?.horizons[which].row(0)[x - area.x] ?? null;
+    const now = horizonAt(trace, step);
     const options = Array.from({ length: count }, (_, i) => first + i).map((x) =>
-      columnOption(area, x, null, now('upper', x), now('lower', x)),
+      columnOption(trace.header.scene.area, x, null, now('upper', x), now('lower', x)),
     );
-    const raised = stepsOf(trace, step, result.step, 'raise');
-    const lowered = stepsOf(trace, step, result.step, 'lower');
-    const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
-      of.map(({ event }) => String(event.x));
+    const { parts, steps } = moved(trace, step, result.step, options);
     return {
       kind: 'sideEdge',
       step,
       until: result.step,
-      about: { curve: values.floatingHorizon?.curve ?? 0, from, to: end.event.sample },
-      parts: [
-        { asks: 'raised', options, right: places(raised) },
-        { asks: 'lowered', options, right: places(lowered) },
-      ],
-      because: inOrder(raised, lowered, [result]),
+      about: { curve: curveOf(trace, step), from, to: end.event.sample },
+      parts,
+      because: inOrder(steps, [result]),
       things: [columnThing(first)],
     };
   },
@@ -159,29 +174,19 @@ export const horizons: Asker<'horizons'> = {
     const heights = heightsBefore(trace, step);
     const known = [heights.get(first), heights.get(last)].filter((each) => each !== undefined);
     if (at === 'SE2' || last !== first + 1 || known.length < 2) return null;
-    const { columns, values } = trace.timeline.seek(step);
-    const left = trace.header.scene.area.x;
-    const now = (which: 'upper' | 'lower', x: number): N | null =>
-      columns?.horizons[which].row(0)[x - left] ?? null;
+    const now = horizonAt(trace, step);
     const options = known.map(({ x, y }) =>
       columnOption(trace.header.scene.area, x, y, now('upper', x), now('lower', x)),
     );
     if (known.some(({ x }) => now('upper', x) === null)) return null;
-    const raised = stepsOf(trace, step, result.step, 'raise');
-    const lowered = stepsOf(trace, step, result.step, 'lower');
-    const curve = values.floatingHorizon?.curve ?? 0;
-    const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
-      of.map(({ event }) => String(event.x));
+    const { parts, steps } = moved(trace, step, result.step, options);
     return {
       kind: 'horizons',
       step,
       until: result.step,
-      about: { curve },
-      parts: [
-        { asks: 'raised', options, right: places(raised) },
-        { asks: 'lowered', options, right: places(lowered) },
-      ],
-      because: inOrder(raised, lowered, [result]),
+      about: { curve: curveOf(trace, step) },
+      parts,
+      because: inOrder(steps, [result]),
       things: known.map(({ x }) => columnThing(x)),
     };
   },

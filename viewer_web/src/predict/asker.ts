@@ -42,6 +42,9 @@ const relations: readonly Relation[] = ['>', '=', '<'];
 export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 export const relationOptions = optionsOf(relations);
 
+export const signBy = { '-1': '-', 0: '0', 1: '+' } as const;
+export const signOptions = optionsOf(['+', '0', '-']);
+
 /** The relation of a depth to the one before it; null if the numbers in the trace do not show it. */
 export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header): Relation | null {
   const order = orderOf(z, against);

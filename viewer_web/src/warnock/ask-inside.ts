@@ -1,10 +1,9 @@
 import { cornerThing, polygonThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { edgeNote, optionsOf } from '../predict/asker.js';
+import { edgeNote, optionsOf, signBy, signOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { cornerAt } from './naming.js';
 
-const signs = { '-1': '-', 0: '0', 1: '+' } as const;
 /** With fewer edges the answer is obvious. */
 const fewestEdges = 3;
 
@@ -35,8 +34,8 @@ export const inside: Asker<'inside'> = {
         { asks: 'inside', options: optionsOf(['yes', 'no']), right: [isInside ? 'yes' : 'no'] },
         {
           asks: 'signs',
-          options: optionsOf(['+', '0', '-']),
-          right: tests.map(({ event }) => signs[event.sign]),
+          options: signOptions,
+          right: tests.map(({ event }) => signBy[event.sign]),
           decidedBy: (_, at) => tests[at]?.step,
           given: edges.map((edge) => ({
             value: String(edge),

@@ -1,11 +1,9 @@
 import { polygonThing, windowThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { edgeNote, optionsOf } from '../predict/asker.js';
+import { edgeNote, signBy, signOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { none } from '../predict/question.js';
 import { corners, hasThreeLists } from '../trace/events.js';
-
-const signs = { '-1': '-', 0: '0', 1: '+' } as const;
 
 /** Does an edge meet the window, by the signs of its line at the corners? */
 export const trial: Asker<'trial'> = {
@@ -31,8 +29,8 @@ export const trial: Asker<'trial'> = {
       parts: [
         {
           asks: 'cornerSigns',
-          options: optionsOf(['+', '0', '-']),
-          right: first.map(({ event }) => signs[event.sign]),
+          options: signOptions,
+          right: first.map(({ event }) => signBy[event.sign]),
           decidedBy: (_, at) => first[at]?.step,
           given: corners.map((value) => ({ value, of: 'corner' })),
         },
