@@ -233,7 +233,8 @@ TEST_CASE("Cost in bits: operations times the bits of their numbers") {
     CHECK_FALSE(cost_of(Method::zbuffer, "exact").bits.has_value());
 }
 
-TEST_CASE("The front: each of its runs is cheaper or less wrong than every other, and every other run is dominated") {
+TEST_CASE("The front: each of its runs is cheaper or less wrong than every other, and every other run is dominated" *
+          doctest::skip(sanitized)) {
     const AdmittedScene scene = SceneBuilder(area_16)
                                     .polygon({{1.3, 2.1, -.5}, {14.9, 4.7, .5}, {6.2, 15.1, .2}})
                                     .polygon({{13.7, 1.2, -.3}, {2.9, 12.4, .6}, {15.3, 14.8, .1}})
@@ -318,7 +319,8 @@ TEST_CASE("Input for gnuplot: names stay inside their quotes") {
     CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
 }
 
-TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has a cost on each") {
+TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has a cost on each" *
+          doctest::skip(sanitized)) {
     struct Example {
         std::string name;
         bool degenerate;

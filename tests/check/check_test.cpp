@@ -224,7 +224,7 @@ TEST_CASE("The printed text paints wrong pixels without a wrong decision: its pr
 TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
     RandomScenes random(10);
     int truths = 0, disagreements = 0;
-    for (int i = 0; i < 12 / thinning; ++i) {
+    for (int i = 0; i < 12; i += thinning) {
         const AdmittedScene drawn = random.scene();
         for (const std::string name : {"float", "double", "bits:9", "depth:5", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);

@@ -89,7 +89,7 @@ TEST_CASE("A checked trace has the operands at each decision, and at a disagreem
 
 TEST_CASE("The list has the requested number of narrow decisions, and these are the narrowest") {
     RandomScenes random(21);
-    for (int i = 0; i < 40 / thinning; ++i) {
+    for (int i = 0; i < 40; i += thinning) {
         const AdmittedScene scene = random.scene();
         const auto few = of_kind(checked(scene, Method::warnock, "double", 5), FindingKind::narrow);
         auto all = of_kind(checked(scene, Method::warnock, "double", 1'000'000), FindingKind::narrow);
@@ -104,7 +104,7 @@ TEST_CASE("A constructed point half a pixel off is an error, and the report says
     // The edges of a sliver are nearly parallel to a side of the window: cut there, with 8 bits, they come out pixels away.
     RandomScenes random(24);
     int off = 0;
-    for (int i = 0; i < 200 / thinning; ++i) {
+    for (int i = 0; i < 200; i += thinning) {
         const AdmittedScene scene = random.scene();
         const Checked found = checked(scene, Method::warnock, "bits:5");
         const auto points = of_kind(found, FindingKind::point);

@@ -541,7 +541,7 @@ std::set<std::string> folders_of_the_course() {
 
 }  // namespace
 
-TEST_CASE("The lessons agree with their runs, in both languages") {
+TEST_CASE("The lessons agree with their runs, in both languages" * doctest::skip(test::sanitized)) {
     for (const auto& folder : folders_of_the_course()) {
         CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
     }
@@ -569,7 +569,8 @@ TEST_CASE("The camera of the first lesson puts the corners of its mesh where the
     }
 }
 
-TEST_CASE("The wrong columns that the lesson on the floating horizon counts are those that check finds") {
+TEST_CASE("The wrong columns that the lesson on the floating horizon counts are those that check finds" *
+          doctest::skip(test::sanitized)) {
     const std::string lessons = VIDNO_ROOT "/lessons/", folder = lessons + "15-floating-horizon/";
     const auto wrong_columns = [](const std::string& scene, const std::string& edition) {
         const std::string text = program("check " + scene + " --edition " + edition).text;

@@ -10,6 +10,7 @@
 #include "json/document_format.h"
 #include "refused.h"
 #include "support/places.h"
+#include "support/scenes.h"
 
 namespace {
 
@@ -316,7 +317,7 @@ TEST_CASE("the first twenty of a thousand faults are reported") {
                        "f.json: there may be more faults: reading ended here") != std::string::npos);
 }
 
-TEST_CASE("as many polygons as the limit allows, and not one more") {
+TEST_CASE("as many polygons as the limit allows, and not one more" * doctest::skip(test::sanitized)) {
     const std::string one = R"({"color":"#000000","vertices":[]},)";
     std::string many;
     for (std::size_t i = 0; i <= most_polygons; ++i) many += one;

@@ -19,7 +19,7 @@ using namespace vidno::test;
 
 namespace {
 
-constexpr int side = MappedDecision::side;
+constexpr int side = sanitized ? 64 : MappedDecision::side;
 constexpr double u = 0x1p-53;
 
 MappedDecision lesson(const std::string& name) {
@@ -30,7 +30,7 @@ MappedDecision lesson(const std::string& name) {
 const std::array<std::string, 6> all_lessons{"kettner-2a", "kettner-2b", "kettner-2c", "surround", "clip", "depth"};
 
 SignMap map_of(const MappedDecision& decision, std::string_view kernel) {
-    return sign_map(decision, *kernel_named(kernel));
+    return sign_map(decision, *kernel_named(kernel), side);
 }
 
 Sign sign_of(auto value) { return Sign{int(value > 0) - int(value < 0)}; }

@@ -55,10 +55,13 @@ inline AdmittedScene small_scene() {
         .build();
 }
 
-/// With sanitizers a run takes ten times as long, so the longest tests then take only one in this many of their scenes or steps.
+/// With sanitizers a run takes ten times as long. The longest tests then take only one in `thinning` of their scenes or steps, and tests
+/// of long runs by code that other tests run too are skipped.
 #ifdef VIDNO_SANITIZED
-inline constexpr int thinning = 8;
+inline constexpr bool sanitized = true;
+inline constexpr int thinning = 24;
 #else
+inline constexpr bool sanitized = false;
 inline constexpr int thinning = 1;
 #endif
 
