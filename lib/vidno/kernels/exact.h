@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -116,34 +117,36 @@ EnclosedSign enclosed_sign(NumberDifference, const auto& v, const auto& w) {
     return {Sign{int(CGAL::compare(v.exactly(), w.exactly()))}, false};
 }
 
-/// A rational number and an interval that holds it.
+/// A rational number and an interval that holds it. Copies share the rational, since the vertices of regions are copied more often
+/// than computed.
 class Enclosed {
 public:
-    Enclosed(double given = 0) : value_(given), interval_(given) {}
-    Enclosed(Rational value) : value_(std::move(value)), interval_(CGAL::to_interval(value_)) {}
+    Enclosed(double given = 0) : value_(std::make_shared<const Rational>(given)), interval_(given) {}
+    Enclosed(Rational value)
+        : value_(std::make_shared<const Rational>(std::move(value))), interval_(CGAL::to_interval(*value_)) {}
 
-    const Rational& exactly() const { return value_; }
-    operator const Rational&() const { return value_; }
+    const Rational& exactly() const { return *value_; }
+    operator const Rational&() const { return *value_; }
     const Interval& interval() const { return interval_; }
-    explicit operator double() const { return nearest_double(value_); }
+    explicit operator double() const { return nearest_double(*value_); }
 
     Enclosed& operator+=(const Enclosed& other) { return *this = *this + other; }
 
-    friend Enclosed operator-(const Enclosed& a) { return Rational(-a.value_); }
-    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ + b.value_); }
-    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ - b.value_); }
-    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ * b.value_); }
-    friend Enclosed operator/(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ / b.value_); }
+    friend Enclosed operator-(const Enclosed& a) { return Rational(-*a.value_); }
+    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) { return Rational(*a.value_ + *b.value_); }
+    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) { return Rational(*a.value_ - *b.value_); }
+    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) { return Rational(*a.value_ * *b.value_); }
+    friend Enclosed operator/(const Enclosed& a, const Enclosed& b) { return Rational(*a.value_ / *b.value_); }
     friend bool operator<(const Enclosed& a, const Enclosed& b) {
         const auto by_intervals = a.interval_ < b.interval_;
-        return by_intervals.is_certain() ? by_intervals.make_certain() : a.value_ < b.value_;
+        return by_intervals.is_certain() ? by_intervals.make_certain() : *a.value_ < *b.value_;
     }
     friend bool operator>(const Enclosed& a, const Enclosed& b) { return b < a; }
     friend bool operator<=(const Enclosed& a, const Enclosed& b) { return !(b < a); }
     friend bool operator>=(const Enclosed& a, const Enclosed& b) { return !(a < b); }
 
 private:
-    Rational value_;
+    std::shared_ptr<const Rational> value_;
     Interval interval_;
 };
 
