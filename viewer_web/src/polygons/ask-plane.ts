@@ -1,6 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
 import { toNumber } from '../language/words.js';
 import { eventAt } from '../predict/ahead.js';
+import { cellsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 
 /** What is the plane of the next polygon? */
@@ -11,8 +12,8 @@ export const plane: Asker<'plane'> = {
     const next = eventAt(trace, step + 1, 'plane');
     if (next === null) return null;
     const [a, b, c, d] = next.plane;
-    const right = [a, b, d].map((value) => String(toNumber(value)));
-    if (toNumber(c) === 0 || right.some((value) => !Number.isFinite(Number(value)))) return null;
+    const right = cellsOf([a, b, d]);
+    if (toNumber(c) === 0 || right === null) return null;
     return {
       kind: 'plane',
       step,

@@ -60,6 +60,12 @@ export function edgeNote({ vertices }: Polygon, edge: number): Note {
     ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
 }
 
+/** The right cells of a table; null if a number is not finite, since nobody could enter it. */
+export function cellsOf(values: readonly N[]): readonly string[] | null {
+  const numbers = values.map(toNumber);
+  return numbers.every(Number.isFinite) ? numbers.map(String) : null;
+}
+
 /** Points as options. Their value is independent of the language, and their note is what is shown. */
 export const pointOptions = (points: readonly Point[]): readonly Option[] =>
   points.map((at) => ({

@@ -1,6 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
 import { toNumber } from '../language/words.js';
 import { eventAt } from '../predict/ahead.js';
+import { cellsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
@@ -22,16 +23,16 @@ export const depth: Asker<'depth'> = {
     const next = eventAt(trace, step + 1, 'depth');
     const plane = next === null ? null : planeIn(trace, next.polygon);
     if (next === null || plane === null) return null;
-    const z = toNumber(next.z);
+    const right = cellsOf([next.z]);
     const isLevel = toNumber(plane[0]) === 0 && toNumber(plane[1]) === 0;
-    if (isLevel || !Number.isFinite(z)) return null;
+    if (isLevel || right === null) return null;
     const { polygon, point } = next;
     return {
       kind: 'depth',
       step,
       until: step + 1,
       about: { polygon, point, plane },
-      parts: [{ asks: 'z', options: [], right: [String(z)] }],
+      parts: [{ asks: 'z', options: [], right }],
       because: [step + 1],
       things: [polygonThing(polygon)],
     };

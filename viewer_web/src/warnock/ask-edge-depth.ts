@@ -1,7 +1,6 @@
 import { edgeThing, polygonThing } from '../algorithm/pointed.js';
-import { toNumber } from '../language/words.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { edgeNote } from '../predict/asker.js';
+import { cellsOf, edgeNote } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 
 /** How deep is an edge-on polygon at this point? */
@@ -13,7 +12,8 @@ export const edgeDepth: Asker<'edgeDepth'> = {
     if (eventAt(trace, step + 1, 'edge_depth') === null) return null;
     const result = nextOf(trace, step, 'depth', 'call', 'pop');
     const polygon = trace.header.scene.byId.get(result?.event.polygon ?? '');
-    if (result === null || polygon === undefined) return null;
+    const right = result === null ? null : cellsOf([result.event.z]);
+    if (result === null || polygon === undefined || right === null) return null;
     const edges = stepsOf(trace, step, result.step, 'edge_depth');
     return {
       kind: 'edgeDepth',
@@ -30,7 +30,7 @@ export const edgeDepth: Asker<'edgeDepth'> = {
           right: edges.map(({ event }) => String(event.edge)),
           decidedBy: (edge) => edges.find(({ event }) => String(event.edge) === edge)?.step,
         },
-        { asks: 'z', options: [], right: [String(toNumber(result.event.z))] },
+        { asks: 'z', options: [], right },
       ],
       because: inOrder(edges, [result]),
       things: [polygonThing(polygon.id), ...edges.map(({ event }) => edgeThing(event.edge))],

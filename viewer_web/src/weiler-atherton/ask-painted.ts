@@ -1,7 +1,6 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import { toNumber } from '../language/words.js';
 import { eventAt } from '../predict/ahead.js';
-import { relationBy, relationOptions } from '../predict/asker.js';
+import { cellsOf, relationBy, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 
 /** Which of two polygons is the nearer at a pixel that belongs to regions of both? */
@@ -12,8 +11,8 @@ export const painted: Asker<'painted'> = {
     const next = eventAt(trace, step + 1, 'order');
     if (next === null) return null;
     const { polygon, other, point, z, otherZ, order } = next;
-    const right = [z, otherZ].map((value) => String(toNumber(value)));
-    if (right.some((value) => !Number.isFinite(Number(value)))) return null;
+    const right = cellsOf([z, otherZ]);
+    if (right === null) return null;
     return {
       kind: 'painted',
       step,

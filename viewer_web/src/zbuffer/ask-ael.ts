@@ -1,8 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
 import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { edgeNote, mostOptions } from '../predict/asker.js';
+import { cellsOf, edgeNote, mostOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { toNumber } from '../language/words.js';
 import { columnsOf } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
 
@@ -37,12 +36,11 @@ export const ael: Asker<'ael'> = {
     };
     const stepped = stepsOf(trace, step, until, 'ael_step');
     const then = trace.timeline.seek(until).values.zbuffer?.ael ?? [];
-    const entries: Part = {
+    const cells = cellsOf(then.flatMap(({ x, until: last }) => [x, last]));
+    const entries: Part | null = cells && {
       asks: 'entries',
       options: [],
-      right: then.flatMap(({ x, until: last }) =>
-        [x, last].map((value) => String(toNumber(value))),
-      ),
+      right: cells,
       decidedBy(_, at) {
         const edge = then[Math.floor(at / columnsOf({ asks: 'entries' }).length)]?.edge;
         return [...added, ...stepped].find(({ event }) => event.edge === edge)?.step;
@@ -62,7 +60,7 @@ export const ael: Asker<'ael'> = {
           decidedBy: (edge) => added.find(({ event }) => String(event.edge) === edge)?.step,
         },
         { asks: 'order', options: [...active, ...coming], right: sort.event.edges.map(String) },
-        ...(entries.right.every((value) => Number.isFinite(Number(value))) ? [entries] : []),
+        ...(entries ? [entries] : []),
       ],
       because: inOrder(dropped, stepped, stepsOf(trace, step, until, 'scanline'), added, [sort]),
       things: [polygonThing(polygon.id)],
