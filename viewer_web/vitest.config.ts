@@ -1,9 +1,13 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
   test: {
     include: ['src/**/*.test.ts'],
     setupFiles: ['src/testing/algorithms.ts'],
+    // By default, one processor stays idle.
+    maxWorkers: availableParallelism(),
+    minWorkers: 1,
     // The test files in a process share their imported modules.
     isolate: false,
     // A slow machine, busy with other tests, needs longer than the usual five seconds.
