@@ -26,7 +26,7 @@
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/trace.h"
-#include "vidno/weiler_atherton/overlay.h"
+#include "vidno/weiler_atherton/region.h"
 
 namespace vidno {
 

@@ -10,36 +10,16 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
 #include "../kernel.h"
+#include "approximate_plane.h"
 #include "filter_stage.h"
+#include "pixel_block.h"
 
 namespace vidno {
-
-/// z = x_slope x + y_slope y + at_origin, wrong by at most the error at any point of the scene.
-struct ApproximatePlane {
-    double x_slope = 0, y_slope = 0, at_origin = 0;
-    double error = 0;
-    bool fits_cells = false;   // at its polygon's vertices
-    std::uint32_t number = 0;  // 0: no plane, infinitely far
-
-    double depth(double x, double y) const { return x_slope * x + (y_slope * y + at_origin); }
-};
-
-/// The greatest |x| or |y| of a scene's vertices and windows.
-inline double farthest_out(const Scene& scene) {
-    const Window square = covering_square(scene.area);
-    double farthest =
-        std::max({std::abs(square.x), std::abs(square.y), std::abs(square.right()), std::abs(square.bottom())});
-    for (const auto& polygon : scene.polygons) {
-        for (const auto& v : polygon.vertices) farthest = std::max({farthest, std::abs(v.x), std::abs(v.y)});
-    }
-    return farthest;
-}
 
 /// `Plane` is an ApproximatePlane with an exact comparison, `plane.exactly_nearer(than, x, y)`. `Tally` receives, for each
 /// comparison, what decided it; it is passed by value and may hold a pointer.
@@ -130,11 +110,12 @@ public:
         Floats steps{0, 1, 2, 3};
         float* depths = row.about + (first - row.first_x);
         std::uint32_t* planes = row.plane + (first - row.first_x);
-        for (int left = end - first; left > 0; left -= block, depths += block, planes += block) {
+        for (int left = end - first; left > 0;
+             left -= Block::pixels, depths += Block::pixels, planes += Block::pixels) {
             std::array<Floats, 2> z, stored;
             std::array<Ints, 2> nearer, close;
             for (int half = 0; half < 2; ++half) {
-                stored[half] = loaded<Floats>(depths + 4 * half);
+                stored[half] = Block::loaded<Floats>(depths + 4 * half);
                 z[half] = steps * slopes + first_zs;
                 steps += 4;
                 const Floats difference = z[half] - stored[half];
@@ -143,16 +124,16 @@ public:
                 nearer[half] = (difference > cell_error) & in_line;
                 close[half] = ~(distance > cell_error) & in_line;
             }
-            if (!any(nearer[0] | nearer[1] | close[0] | close[1])) continue;
-            if (any(close[0] | close[1])) [[unlikely]] {
-                store_closely_nearer(plane, row, end - left, std::min(end - left + block, end));
+            if (!Block::any(nearer[0] | nearer[1] | close[0] | close[1])) continue;
+            if (Block::any(close[0] | close[1])) [[unlikely]] {
+                store_closely_nearer(plane, row, end - left, std::min(end - left + Block::pixels, end));
                 continue;
             }
             const Ints number = Ints{} + int(plane.number);
             for (int half = 0; half < 2; ++half) {
-                store_where(nearer[half], std::bit_cast<Ints>(z[half]), std::bit_cast<Ints>(stored[half]),
-                            depths + 4 * half);
-                store_where(nearer[half], number, loaded<Ints>(planes + 4 * half), planes + 4 * half);
+                Block::store_where(nearer[half], std::bit_cast<Ints>(z[half]), std::bit_cast<Ints>(stored[half]),
+                                   depths + 4 * half);
+                Block::store_where(nearer[half], number, Block::loaded<Ints>(planes + 4 * half), planes + 4 * half);
             }
         }
     }
@@ -180,27 +161,10 @@ protected:
     void tell(FilterStage stage) const { tally_(stage); }
 
 private:
-    /// The pixels that are compared at a time: two vectors of four, which every machine has.
-    static constexpr int block = 8;
-    using Floats [[gnu::vector_size(16)]] = float;
-    using Ints [[gnu::vector_size(16)]] = int;
-    using Longs [[gnu::vector_size(16)]] = long long;
+    using Block = PixelBlock;
+    using Floats = Block::Floats;
+    using Ints = Block::Ints;
     static constexpr int all_but_sign = std::numeric_limits<int>::max();
-
-    static bool any(const Ints& mask) {
-        const auto halves = std::bit_cast<Longs>(mask);
-        return (halves[0] | halves[1]) != 0;
-    }
-    template <class Values>
-    static Values loaded(const void* from) {
-        Values values;
-        std::memcpy(&values, from, sizeof values);
-        return values;
-    }
-    static void store_where(const Ints& mask, const Ints& values, const Ints& others, void* to) {
-        const Ints chosen = (values & mask) | (others & ~mask);
-        std::memcpy(to, &chosen, sizeof chosen);
-    }
 
     /// The same pixel by pixel.
     [[gnu::noinline]] void store_closely_nearer(const Plane& plane, const auto& row, int first, int end) const {
@@ -282,7 +246,7 @@ public:
     void clear(const Area& area, const Depth& farthest) {
         area_ = area;
         // The last block may end after the last pixel.
-        const auto size = std::size_t(area.width) * std::size_t(area.height) + block;
+        const auto size = std::size_t(area.width) * std::size_t(area.height) + Block::pixels;
         about_.assign(size, float(farthest.value));
         plane_.assign(size, farthest.plane->number);
         planes_ = farthest.plane - farthest.plane->number;

@@ -5,9 +5,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <set>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,20 +13,6 @@
 #include "point_in_region.h"
 
 namespace vidno {
-
-/// Where a piece of an edge lies in relation to the other region; on its outline, whether both regions are on the same side of it.
-enum class Lies : unsigned char { inside, outside, same_side, other_side };
-inline constexpr std::array<std::string_view, 4> lies_names{"inside", "outside", "same_side", "other_side"};
-
-/// A piece of an edge, between two vertices of an overlay.
-template <class Number>
-struct EdgePiece {
-    int from, to;
-    const SupportLine<Number>* line;
-    Lies lies = Lies::outside;
-
-    EdgePiece reversed() const { return {to, from, line, lies}; }
-};
 
 template <WeilerAthertonKernel K>
 class Overlay {

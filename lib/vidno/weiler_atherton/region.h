@@ -4,6 +4,8 @@
 /// holes have opposite orientations. Loops of one region may touch each other at vertices, and nowhere else.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "../kernel.h"
@@ -62,6 +64,20 @@ Box<Number> box_around(const Region<Number>& region) {
     }
     return box;
 }
+
+/// Where a piece of an edge lies in relation to the other region; on its outline, whether both regions are on the same side of it.
+enum class Lies : unsigned char { inside, outside, same_side, other_side };
+inline constexpr std::array<std::string_view, 4> lies_names{"inside", "outside", "same_side", "other_side"};
+
+/// A piece of an edge, between two vertices of an Overlay.
+template <class Number>
+struct EdgePiece {
+    int from, to;
+    const SupportLine<Number>* line;
+    Lies lies = Lies::outside;
+
+    EdgePiece reversed() const { return {to, from, line, lies}; }
+};
 
 /// The result of RegionClip.
 template <class Number>
