@@ -319,6 +319,15 @@ TEST_CASE("Input for gnuplot: names stay inside their quotes") {
     CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
 }
 
+TEST_CASE("The figure of a chart has the name of a scene of the course in its language") {
+    Scene scene = whole_quad();
+    scene.name = "Five triangles of one plane";
+    const std::vector<SceneChart> charts{charted(admit(scene))};
+    const std::string russian = chart_script(charts, 0, 0, {}, Language::russian);
+    CHECK(russian.find("set title 'Пять треугольников одной плоскости (") != russian.npos);
+    CHECK(chart_script(charts, 0, 0).find("set title 'Five triangles of one plane (") != std::string::npos);
+}
+
 TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has a cost on each" *
           doctest::skip(sanitized)) {
     struct Example {

@@ -845,7 +845,8 @@ TEST_CASE("figure: the output's name selects the format, and the bytes are the s
     CHECK(work.read("slide.tex").find("\\only<3>") != std::string::npos);
     const std::string maps = VIDNO_ROOT "/lessons/maps/";
     CHECK(program("figure " + maps + "surround.json --language ru -o " + work.file("map.svg")).status == 0);
-    for (const auto* word : {"охват", "снаружи"}) CHECK(work.read("map.svg").find(word) != std::string::npos);
+    for (const auto* word : {"охват", "снаружи", "Вершина треугольника"})
+        CHECK(work.read("map.svg").find(word) != std::string::npos);
     REQUIRE(program("chart " + scene + " -o " + work.file("chart.json")).status == 0);
     CHECK(program("figure " + work.file("chart.json") + " --width 10cm -o " + work.file("chart.svg")).status == 0);
     CHECK(work.read("chart.svg").find("width=\"100mm\"") != std::string::npos);

@@ -14,12 +14,12 @@
 #include "figure/notation.h"
 #include "figure/patches.h"
 #include "figure/table.h"
-#include "figure/titles.h"
 #include "figure/wrap.h"
 #include "figure/writers.h"
 #include "output.h"
 #include "page/program.h"
 #include "refused.h"
+#include "scene/scene_names.h"
 #include "support/scenes.h"
 #include "support/workplace.h"
 
@@ -440,10 +440,12 @@ TEST_CASE("the figures of a course's scene have its name in their language") {
     CHECK(name_in(Language::russian, "Another scene") == "Another scene");
     for (const auto& entry : std::filesystem::recursive_directory_iterator(VIDNO_ROOT "/lessons")) {
         const std::string folder = entry.path().parent_path().filename().string();
-        const bool has_scenes = std::isdigit(static_cast<unsigned char>(folder[0])) || folder == "surfaces";
+        const bool has_scenes = std::isdigit(static_cast<unsigned char>(folder[0])) || folder == "surfaces" ||
+                                folder == "charts" || folder == "maps";
         if (!has_scenes || entry.path().extension() != ".json") continue;
         const auto read = nlohmann::json::parse(read_file(entry.path().string()));
-        if (read.at("format") != "vidno-scene/1" && read.at("format") != "vidno-surface/1") continue;
+        const std::set<std::string> formats{"vidno-scene/1", "vidno-surface/1", "vidno-question/1"};
+        if (!formats.contains(read.at("format"))) continue;
         const std::string name = read.at("name");
         CHECK_MESSAGE(name_in(Language::russian, name) != name, name);
     }

@@ -4,6 +4,7 @@
 
 #include "chart/chart.h"
 #include "choice/method.h"
+#include "scene/scene_names.h"
 
 namespace vidno {
 
@@ -86,9 +87,11 @@ double error_in(const SceneChart& scene, const ChartRun& run, std::size_t error)
     return 100 * (axis.name == "wrongDecisions" ? value : value / double(scene.pixels));
 }
 
-Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const ChartWords& words) {
+Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, Language language) {
+    const ChartWords& words = chart_words.in(language);
     Plot plot;
-    plot.title = scene.name + " (" + std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")";
+    plot.title = name_in(language, scene.name) + " (" +
+                 std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")";
     const auto marks = [&](const auto& belongs) {
         std::vector<PlotMark> found;
         for (const auto& run : scene.runs) {
@@ -131,7 +134,7 @@ std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost
     auto ordered = scenes;
     std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
     std::vector<Plot> plots;
-    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, chart_words.in(language)));
+    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, language));
     return plot_script(plots, plot_words(cost, error, language), layout);
 }
 

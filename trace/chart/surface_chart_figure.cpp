@@ -1,6 +1,7 @@
 // The figure of a chart of surfaces.
 
 #include "chart/surface_chart.h"
+#include "scene/scene_names.h"
 
 namespace vidno {
 
@@ -75,9 +76,9 @@ double error_in(const SurfaceChart& surface, const SurfaceChartRun& run, std::si
     return 100 * (axis.name == "wrongDecisions" ? value : value / double(surface.columns));
 }
 
-Plot plot_of(const SurfaceChart& surface, std::size_t cost, std::size_t error) {
+Plot plot_of(const SurfaceChart& surface, std::size_t cost, std::size_t error, Language language) {
     Plot plot;
-    plot.title = surface.name;
+    plot.title = name_in(language, surface.name);
     const auto marks = [&](const auto& belongs) {
         std::vector<PlotMark> found;
         for (const auto& run : surface.runs) {
@@ -108,7 +109,7 @@ std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t 
         of_plot.series.push_back({series.name(words), series.color(), series.point(), series.knob.has_value()});
     }
     std::vector<Plot> plots;
-    for (const auto& surface : surfaces) plots.push_back(plot_of(surface, cost, error));
+    for (const auto& surface : surfaces) plots.push_back(plot_of(surface, cost, error, language));
     return plot_script(plots, of_plot, layout);
 }
 

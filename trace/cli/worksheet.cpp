@@ -9,11 +9,11 @@
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "figure/figure_words.h"
-#include "figure/titles.h"
 #include "figure/writers.h"
 #include "output.h"
 #include "page/page.h"
 #include "page/program.h"
+#include "scene/scene_names.h"
 
 namespace vidno::cli {
 
@@ -37,7 +37,7 @@ public:
         : answered_(answered), language_(language), chosen_(chosen) {}
 
     void add(const auto& run, const std::string& name) {
-        const figures::About about{figures::name_in(language_, name), language_};
+        const figures::About about{name_in(language_, name), language_};
         if (pages_.empty()) about_ = about;
         for (const auto& page : figures::worksheet(run, language_, answered_, chosen_)) {
             pages_.push_back(figures::svg_of(page, about));

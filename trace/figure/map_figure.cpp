@@ -1,6 +1,7 @@
 #include "map_figure.h"
 
 #include "patches.h"
+#include "scene/scene_names.h"
 #include "table.h"
 
 namespace vidno::figures {
@@ -57,7 +58,7 @@ Drawing legend(const SignMap& map, const Style& style, double width) {
                               {std::to_string(right), color(i)},
                               {std::to_string(all - right), color((i + 1) % 3)}});
     }
-    if (!map.name.empty()) table.below.push_back(map.name);
+    if (!map.name.empty()) table.below.push_back(name_in(style.language, map.name));
     return drawn(table, width, style.letters);
 }
 

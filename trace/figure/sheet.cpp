@@ -1,8 +1,8 @@
 #include "sheet.h"
 
 #include "refused.h"
+#include "scene/scene_names.h"
 #include "table.h"
-#include "titles.h"
 
 namespace vidno::figures {
 

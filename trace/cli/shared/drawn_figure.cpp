@@ -20,6 +20,7 @@
 #include "lesson/lesson.h"
 #include "output.h"
 #include "page/program.h"
+#include "scene/scene_names.h"
 #include "sign_map/mapped_decision_json.h"
 
 namespace vidno::cli {
@@ -183,7 +184,7 @@ std::string method_in(const FloatingHorizonHeader&, Language language) {
 
 std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, const std::string& given,
                      Language language) {
-    const std::string name = given.empty() ? figures::name_in(language, header.scene.name) : given;
+    const std::string name = given.empty() ? name_in(language, header.scene.name) : given;
     std::string title = name.empty() ? "" : name + " · ";
     title += method_in(header, language);
     if (!steps.empty()) {
@@ -320,8 +321,8 @@ std::string drawn_map(const FigureOptions& options, const std::string& text) {
     const SignMap map = sign_map(read_mapped_decision(text, options.input), kernel);
     const double width = options.width.empty() ? column_width : length_of(options.width);
     const figures::Style style = style_of(options);
-    return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options.output,
-                   options.dots_an_inch);
+    return encoded(figures::map_figure(map, style, width), {name_in(style.language, map.name), style.language},
+                   options.output, options.dots_an_inch);
 }
 
 /// gnuplot's drawing with a width in millimetres.
@@ -348,7 +349,8 @@ std::string drawn_chart(const FigureOptions& options, const std::string& text) {
     const auto draw = [&](const auto& charts) {
         const std::string script = script_of(charts, options.axes, layout, style.language);
         const std::string svg = sized(output_of({"gnuplot"}, script), width);
-        return encoded(svg, {charts.front().name, style.language}, options.output, options.dots_an_inch);
+        return encoded(svg, {name_in(style.language, charts.front().name), style.language}, options.output,
+                       options.dots_an_inch);
     };
     return std::visit(draw, chart);
 }
