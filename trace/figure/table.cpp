@@ -2,6 +2,7 @@
 
 #include "characters.h"
 #include "plane.h"
+#include "wrap.h"
 
 namespace vidno::figures {
 
@@ -85,9 +86,12 @@ Drawing drawn(const Table& table, double width, double letters) {
         }
         put_row([&](std::size_t column) { return table.rows[row][column]; }, text_size);
     }
-    for (const auto& line : table.below) {
-        y += line_height;
-        put(fitted(line, (width - indent) / letters, small_size), indent, Anchor::start, small_size, false);
+    const double room = (width - indent) / letters;
+    for (const auto& text : table.below) {
+        for (const auto& line : wrapped(text, small_size, room, room)) {
+            y += line_height;
+            put(fitted(line, room, small_size), indent, Anchor::start, small_size, false);
+        }
     }
     rule(drawing, y + 0.3, 0.75);
     drawing.height = y + 0.6;

@@ -26,7 +26,7 @@ struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows{};
     std::optional<std::size_t> current{};  // the row that is marked
-    std::vector<std::string> below{};      // last lines
+    std::vector<std::string> below{};      // last texts, which may take several lines
 };
 
 inline constexpr double text_size = 8, small_size = 7;  // points
