@@ -438,13 +438,13 @@ TEST_CASE("the figures of a course's scene have its name in their language") {
     CHECK(name_in(Language::russian, "Down to the pixel · 07") == "Вплоть до пикселя · 07");
     CHECK(name_in(Language::english, "Down to the pixel · 07") == "Down to the pixel · 07");
     CHECK(name_in(Language::russian, "Another scene") == "Another scene");
+    const std::set<std::string> formats{"vidno-scene/1", "vidno-surface/1", "vidno-question/1"};
     for (const auto& entry : std::filesystem::recursive_directory_iterator(VIDNO_ROOT "/lessons")) {
         const std::string folder = entry.path().parent_path().filename().string();
         const bool has_scenes = std::isdigit(static_cast<unsigned char>(folder[0])) || folder == "surfaces" ||
                                 folder == "charts" || folder == "maps";
         if (!has_scenes || entry.path().extension() != ".json") continue;
         const auto read = nlohmann::json::parse(read_file(entry.path().string()));
-        const std::set<std::string> formats{"vidno-scene/1", "vidno-surface/1", "vidno-question/1"};
         if (!formats.contains(read.at("format"))) continue;
         const std::string name = read.at("name");
         CHECK_MESSAGE(name_in(Language::russian, name) != name, name);

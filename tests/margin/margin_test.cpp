@@ -182,7 +182,7 @@ TEST_CASE("A step without a sign has no margin") {
 
 TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the signs change that its label names") {
     RandomScenes random(31);
-    const int cases = sanitized ? 125 : 1000;
+    const int cases = 1000 / thinning;
     int margins = 0, inside = 0, beyond = 0, on_lines = 0;
     std::map<Procedure, int> of;
     constexpr std::array methods{Method::warnock, Method::warnock_full, Method::warnock_angles};

@@ -59,7 +59,7 @@ inline AdmittedScene small_scene() {
 /// of long runs by code that other tests run too are skipped.
 #ifdef VIDNO_SANITIZED
 inline constexpr bool sanitized = true;
-inline constexpr int thinning = 24;
+inline constexpr int thinning = 8;
 #else
 inline constexpr bool sanitized = false;
 inline constexpr int thinning = 1;
