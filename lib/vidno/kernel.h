@@ -5,6 +5,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,9 @@ namespace vidno {
 enum class Sign { negative = -1, zero = 0, positive = 1 };
 
 constexpr Sign operator-(Sign sign) { return Sign{-int(sign)}; }
+
+/// The index of a sign in a table for negative, zero, positive.
+constexpr std::size_t place_of(Sign sign) { return sign == Sign::negative ? 0 : sign == Sign::zero ? 1 : 2; }
 
 /// A place on the screen: a window's corner or a pixel's centre.
 template <class Number>

@@ -10,13 +10,6 @@ namespace vidno {
 
 namespace {
 
-template <std::size_t count>
-std::size_t place_of(const JsonNode& word, const std::array<std::string_view, count>& names) {
-    const auto found = std::find(names.begin(), names.end(), word.text());
-    if (found == names.end()) word.refuse("unknown word");
-    return std::size_t(found - names.begin());
-}
-
 std::uint64_t count_of(const JsonNode& node) {
     const double number = node.number();
     if (!(number >= 0 && number < 0x1p53)) node.refuse("not a count");
@@ -59,11 +52,11 @@ ChartRun run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
                        "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
                        "depthUlps", "front"});
-    ChartRun run{{Method(place_of(node.at("method"), method_names)), kernel_in(node.at("kernel"))}, {}, {}};
+    ChartRun run{{Method(node.at("method").place_among(method_names)), kernel_in(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     run.way.smallest_window = node.at("window").whole_number(1, largest_side);
     if (!node.at("knob").is_null()) {
-        run.way.knob = Knob(place_of(node.at("knob"), knob_names));
+        run.way.knob = Knob(node.at("knob").place_among(knob_names));
         run.way.value = node.at("value").whole_number(0, largest_side);
     }
     run.cost = {node.at("seconds").number(), node.at("time").number(), node.at("operations").number()};
@@ -84,7 +77,7 @@ SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
     SurfaceChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     if (!node.at("knob").is_null()) {
-        run.way.knob = SamplingKnob(place_of(node.at("knob"), sampling_knob_names));
+        run.way.knob = SamplingKnob(node.at("knob").place_among(sampling_knob_names));
         run.way.value = node.at("value").number();
     }
     run.cost = {node.at("seconds").number(), node.at("time").number(), node.at("operations").number(),

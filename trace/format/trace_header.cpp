@@ -19,7 +19,7 @@ void read_run(const JsonNode& object, auto& header) {
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
     header.edition = read_edition(member(object, "edition"));
     header.kernel = read_kernel(member(object, "kernel"));
-    header.detail = Detail(place_of_word(member(object, "detail"), detail_names));
+    header.detail = Detail(member(object, "detail").place_among(detail_names));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ TraceHeader read_trace_header(const JsonNode& object) {
     const JsonNode method = member(object, "method");
     if (method.value() == floating_horizon_method) method.refuse("floating-horizon, which this command does not take");
     TraceHeader header;
-    header.method = Method(place_of_word(method, method_names));
+    header.method = Method(method.place_among(method_names));
     read_run(object, header);
     header.scene = read_whole_scene(member(object, "scene"));
     return header;

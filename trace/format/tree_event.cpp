@@ -27,7 +27,7 @@ public:
     template <class E>
     E read() {
         E event;
-        event.at = Line(place_of_word(member(object_, "at"), line_names));
+        event.at = Line(member(object_, "at").place_among(line_names));
         fields_ = 2;  // e and at
         if (!E::lines.has(event.at)) object_.at("at").refuse("not a line of this event");
         E::fields(event, [&](std::string_view key, auto& target, const Meaning& meaning = any_number) {
@@ -115,7 +115,7 @@ private:
     }
     template <Word T>
     void value(const JsonNode& node, T& target) const {
-        target = T(place_of_word(node, words_of(target)));
+        target = T(node.place_among(words_of(target)));
     }
     void value(const JsonNode& node, Answer& target) const {
         if (node.value().is_boolean()) {

@@ -19,16 +19,6 @@ struct EventContext {
 /// Throws Refused.
 Event read_event(const JsonNode& object, const EventContext& context);
 
-/// The index of the node's text among the names. Throws Refused.
-template <std::size_t count>
-std::size_t place_of_word(const JsonNode& node, const std::array<std::string_view, count>& names) {
-    if (node.is_text()) {
-        const auto found = std::find(names.begin(), names.end(), node.text());
-        if (found != names.end()) return std::size_t(found - names.begin());
-    }
-    node.refuse("unknown word");
-}
-
 /// The member of an object. Throws Refused if there is none.
 JsonNode member(const JsonNode& object, std::string_view key);
 

@@ -168,6 +168,14 @@ const std::string& JsonNode::text() const {
     return value_.get_ref<const std::string&>();
 }
 
+std::size_t JsonNode::place_among(std::span<const std::string_view> names) const {
+    if (value_.is_string()) {
+        const auto found = std::find(names.begin(), names.end(), text());
+        if (found != names.end()) return std::size_t(found - names.begin());
+    }
+    refuse("unknown word");
+}
+
 bool JsonNode::truth() const {
     if (!value_.is_boolean()) refuse("neither true nor false");
     return value_.get<bool>();

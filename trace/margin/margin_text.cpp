@@ -9,12 +9,6 @@ namespace vidno {
 
 namespace {
 
-/// Negative, zero, positive.
-std::size_t place_of(Sign sign) {
-    if (sign == Sign::zero) return 1;
-    return sign == Sign::negative ? 0 : 2;
-}
-
 std::string_view name_of(Procedure of) { return procedure_names[std::size_t(of)]; }
 std::string_view name_of(Line of) { return line_names[std::size_t(of)]; }
 std::string_view name_of(PolygonPlace of, const Scene& scene) { return scene.polygons[std::size_t(of.index)].id; }

@@ -2,20 +2,12 @@
 
 #include <sstream>
 
+#include "counted.h"
 #include "json/unique_ids.h"
 #include "refused.h"
 #include "scene/exact_scene.h"
 
 namespace vidno {
-
-namespace {
-
-/// "1 vertex", "2 vertices".
-std::string counted(std::size_t count, const std::string& one, const std::string& more) {
-    return std::to_string(count) + " " + (count == 1 ? one : more);
-}
-
-}  // namespace
 
 int finest_grid_of(const Scene& scene) {
     int bits = finest_grid;

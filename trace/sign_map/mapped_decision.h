@@ -18,9 +18,6 @@ namespace vidno {
 using AnswerNames = std::array<std::string_view, 3>;
 inline constexpr AnswerNames three_signs{"negative", "zero", "positive"};
 
-/// The index of a sign.
-constexpr int place_of(Sign sign) { return int(sign) + 1; }
-
 /// On which side of the line from q to r does p lie? The differences are taken from the pivot, always in the same order around the
 /// triangle. In exact arithmetic the pivot makes no difference.
 struct MappedOrientation {

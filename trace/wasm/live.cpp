@@ -71,13 +71,6 @@ struct Options {
     std::uint64_t most_events = 0;
 };
 
-template <class Names>
-std::size_t place_of(const JsonNode& node, const Names& names) {
-    const auto found = std::find(names.begin(), names.end(), node.text());
-    if (found == names.end()) node.refuse("no such name");
-    return std::size_t(found - names.begin());
-}
-
 NamedKernel read_kernel(const JsonNode& node) {
     const auto kernel = kernel_named(node.text());
     if (!kernel) node.refuse("not one of " + kernel_names());
@@ -90,7 +83,7 @@ Options read_options(const JsonNode& root, Kind kind) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
     if (kind == Kind::polygons) {
-        options.method = Method(place_of(root.at("method"), method_names));
+        options.method = Method(root.at("method").place_among(method_names));
     } else if (root.at("method").text() != floating_horizon_method) {
         root.at("method").refuse("draws no surface");
     }
@@ -100,7 +93,7 @@ Options read_options(const JsonNode& root, Kind kind) {
     const bool runs = kind == Kind::curves ? choice.runs_floating_horizon(options.edition)
                                            : choice.runs(options.method, options.edition);
     if (!runs) root.at("kernel").refuse("does not run this method and edition");
-    options.detail = Detail(place_of(root.at("detail"), detail_names));
+    options.detail = Detail(root.at("detail").place_among(detail_names));
     options.check = root.at("check").truth();
     options.most_events = std::uint64_t(root.at("most_events").whole_number(0, std::numeric_limits<int>::max()));
     return options;
@@ -194,7 +187,7 @@ struct MarginOptions {
 MarginOptions read_margin_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "step", "polygon", "vertex"});
     constexpr int most = std::numeric_limits<int>::max();
-    return {Method(place_of(root.at("method"), method_names)),
+    return {Method(root.at("method").place_among(method_names)),
             read_edition(root.at("edition")),
             read_kernel(root.at("kernel")),
             std::uint64_t(root.at("step").whole_number(0, most)),
