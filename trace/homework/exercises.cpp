@@ -17,7 +17,7 @@ namespace vidno {
 namespace {
 
 constexpr int most_places = 12;           // binary, of a coordinate
-constexpr int most_steps = 20000;         // of the walk, tried between two exercises
+constexpr int most_tries = 20000;         // of the walk, tried between two exercises
 constexpr std::size_t pixels_alike = 32;  // pictures that differ in fewer than one of 32 pixels are alike
 
 using Vertices = std::vector<glm::dvec3>;
@@ -349,7 +349,7 @@ std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method metho
     const std::size_t steps_apart = 2 * scene->polygons.size();
     const auto search = [&](std::uint64_t most_long) {
         std::size_t taken = 0;
-        for (int tried = 0; exercises.size() < count && tried < most_steps; ++tried) {
+        for (int tried = 0; exercises.size() < count && tried < most_tries; ++tried) {
             progress(exercises.size());
             if (!walk.step() || ++taken < steps_apart) continue;
             if (!take_if_new(moved(walk.scene(), walk.symmetry()), most_long)) continue;

@@ -14,27 +14,27 @@ namespace vidno {
 namespace {
 
 /// a x + b y + c, in the coordinates of the vertex that is moved.
-struct Linear {
+struct LinearForm {
     Rational a = 0, b = 0, c = 0;
 
     bool is_constant() const { return a == 0 && b == 0; }
     Rational at(const Rational& x, const Rational& y) const { return a * x + b * y + c; }
 
-    friend Linear operator+(const Linear& p, const Linear& q) { return {p.a + q.a, p.b + q.b, p.c + q.c}; }
-    friend Linear operator-(const Linear& p, const Linear& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
+    friend LinearForm operator+(const LinearForm& p, const LinearForm& q) { return {p.a + q.a, p.b + q.b, p.c + q.c}; }
+    friend LinearForm operator-(const LinearForm& p, const LinearForm& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
     /// The product of two linear functions, one of which is constant.
-    friend Linear operator*(const Linear& p, const Linear& q) {
+    friend LinearForm operator*(const LinearForm& p, const LinearForm& q) {
         assert(p.is_constant() || q.is_constant());
-        return p.is_constant() ? Linear{p.c * q.a, p.c * q.b, p.c * q.c} : q * p;
+        return p.is_constant() ? LinearForm{p.c * q.a, p.c * q.b, p.c * q.c} : q * p;
     }
 };
 
-using Place = Point<Linear>;
+using Place = Point<LinearForm>;
 
 Sign sign_of(const Rational& value) { return Sign{int(CGAL::sign(value))}; }
 
 /// (a - pivot) x (b - pivot), where at most one point is the moved vertex. It is multiplied out, so that no product contains it twice.
-Linear cross(const Place& pivot, const Place& a, const Place& b) {
+LinearForm cross(const Place& pivot, const Place& a, const Place& b) {
     const auto product = [](const Place& p, const Place& q) { return p.x * q.y - p.y * q.x; };
     return product(pivot, a) + product(a, b) + product(b, pivot);
 }
@@ -65,7 +65,7 @@ public:
     Procedure procedure() const { return procedure_; }
 
     struct Found {
-        Linear value;
+        LinearForm value;
         StepSign sign;
     };
     std::vector<Found> signs() { return std::move(signs_); }
@@ -102,13 +102,13 @@ private:
     void hear(const auto&) {}
 
     /// The side of the window with this number, and on which side of it a vertex of the outline lies.
-    Linear beyond(int side, const OutlineVertex& at) const;
+    LinearForm beyond(int side, const OutlineVertex& at) const;
     OutlineVertex cut(const OutlineVertex& from, const OutlineVertex& to, int side) const;
-    Rational value_now(const Linear& value) const {
+    Rational value_now(const LinearForm& value) const {
         const auto& at = vertices(moved_)[std::size_t(vertex_)];
         return value.at(Rational(at.x), Rational(at.y));
     }
-    void add(const Linear& value, StepSign sign);
+    void add(const LinearForm& value, StepSign sign);
 
     const Scene& scene_;
     std::uint64_t step_;
@@ -153,7 +153,7 @@ void Collector::follow(const EventView& event) {
     if (is_asked && !found_) done_ = true;
 }
 
-void Collector::add(const Linear& value, StepSign sign) {
+void Collector::add(const LinearForm& value, StepSign sign) {
     sign.step = steps_;
     sign.sign = sign_of(value_now(value));
     signs_.push_back({value, std::move(sign)});
@@ -181,7 +181,7 @@ void Collector::hear(const event::ClipSide& side) {
     next_ = outline_.size() - 1;  // the last vertex comes first
 }
 
-Linear Collector::beyond(int side, const OutlineVertex& at) const {
+LinearForm Collector::beyond(int side, const OutlineVertex& at) const {
     const auto& [before, corner] = sides_[std::size_t(side)];
     if (at.vertex) return cross(corner, place(clipped_, *at.vertex), before);
     // Where the lines of two sides meet.
@@ -201,7 +201,7 @@ Linear Collector::beyond(int side, const OutlineVertex& at) const {
     // positive, which holds if p is outside. Multiplied out, it is the cross product of p and q about the corner, times a constant.
     const int edge = *at.edges.begin();
     const Place p = place(clipped_, edge), q = place(clipped_, next(clipped_, edge));
-    const Linear turn = cross(corner_of(cut_at, side), p, q);
+    const LinearForm turn = cross(corner_of(cut_at, side), p, q);
     const auto far = [&](const Place& from, const Place& to, const Place& of) {
         return value_now(cross(to, of, from));
     };
@@ -210,7 +210,7 @@ Linear Collector::beyond(int side, const OutlineVertex& at) const {
     const Rational exact = (cut_p * next_q - cut_q * next_p) / (cut_p - cut_q);
     const bool agrees = sign_of(exact) == sign_of(value_now(turn));
     // If both are zero, either sign is right.
-    return agrees ? turn : Linear{} - turn;
+    return agrees ? turn : LinearForm{} - turn;
 }
 
 OutlineVertex Collector::cut(const OutlineVertex& from, const OutlineVertex& to, int side) const {
@@ -227,7 +227,7 @@ OutlineVertex Collector::cut(const OutlineVertex& from, const OutlineVertex& to,
 void Collector::hear(const event::ClipSign& sign) {
     const int side = int(sides_.size()) - 1;
     OutlineVertex& at = outline_[next_];
-    const Linear value = beyond(side, at);
+    const LinearForm value = beyond(side, at);
     StepSign told{.at = sign.at, .polygon = clipped_, .vertex = at.vertex, .side = side + 1, .told = sign.sign};
     if (!at.vertex) {
         if (!at.edges.empty()) told.edge = *at.edges.begin();
@@ -246,7 +246,7 @@ void Collector::hear(const event::ClipList&) { outline_ = new_outline_; }
 
 /// A line that a sign may not leave or cross, in the form of MarginSide.
 struct Side {
-    Linear value;
+    LinearForm value;
     Sign sign;
     std::vector<StepSign> flips;
     bool bounds = false;
@@ -258,7 +258,7 @@ std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     for (const auto& [value, sign] : signs) {
         if (value.is_constant()) continue;
         const Rational scale = value.a != 0 ? value.a : value.b;
-        const Linear line{value.a / scale, value.b / scale, value.c / scale};
+        const LinearForm line{value.a / scale, value.b / scale, value.c / scale};
         const Sign kept = scale > 0 ? sign.sign : -sign.sign;
         const auto same = std::find_if(sides.begin(), sides.end(), [&](const Side& side) {
             return side.value.a == line.a && side.value.b == line.b && side.value.c == line.c;
@@ -296,13 +296,13 @@ struct LinePart {
 struct Ray {
     Rational x, y, dx, dy;
 
-    explicit Ray(const Linear& line) : dx(-line.b), dy(line.a) {
+    explicit Ray(const LinearForm& line) : dx(-line.b), dy(line.a) {
         const Rational square = line.a * line.a + line.b * line.b;
         x = -line.a * line.c / square;
         y = -line.b * line.c / square;
     }
-    Rational value(const Linear& of) const { return of.at(x, y); }
-    Rational slope(const Linear& of) const { return of.a * dx + of.b * dy; }
+    Rational value(const LinearForm& of) const { return of.at(x, y); }
+    Rational slope(const LinearForm& of) const { return of.a * dx + of.b * dy; }
 };
 
 /// Marks the sides that bound the region. If a sign is zero, the region lies on its line.

@@ -19,13 +19,13 @@ using Json = nlohmann::ordered_json;
 
 // ------------------------------------------------------------------------------------- what the names stand for
 
-NamedKernel kernel_of(const std::string& name) {
+NamedKernel known_kernel(const std::string& name) {
     const auto kernel = kernel_named(name);
     if (!kernel) throw Refused("there is no kernel " + name);
     return *kernel;
 }
 
-TriedMethod method_of(const std::string& name) {
+TriedMethod known_method(const std::string& name) {
     if (name == floating_horizon_method) return std::nullopt;
     const auto found = std::find(method_names.begin(), method_names.end(), name);
     if (found == method_names.end()) throw Refused("there is no method " + name);
@@ -33,7 +33,7 @@ TriedMethod method_of(const std::string& name) {
 }
 
 template <class Named>
-auto all_of(const std::vector<std::string>& names, Named named) {
+auto all_named(const std::vector<std::string>& names, Named named) {
     std::vector<decltype(named(names.front()))> all;
     for (const auto& name : names) all.push_back(named(name));
     return all;
@@ -139,8 +139,8 @@ const Family& family_of(const std::string& name) {
 }
 
 Tallies run_block(const Campaign& campaign, const Block& block) {
-    const auto kernels = all_of(campaign.kernels, kernel_of);
-    const auto methods = all_of(campaign.methods, method_of);
+    const auto kernels = all_named(campaign.kernels, known_kernel);
+    const auto methods = all_named(campaign.methods, known_method);
     Tallies sum(tallies_of(campaign));
     for (std::uint64_t trial = block.first; trial < block.end; ++trial) {
         RandomPolygons random = random_of(campaign, *block.family, trial);
@@ -172,8 +172,8 @@ void for_each_moved(const Campaign& campaign, const Family& family, const std::f
 
 Results::Results(Campaign campaign) : campaign_(std::move(campaign)) {
     if (campaign_.count > most_trials) throw Refused("more than " + std::to_string(most_trials) + " trials");
-    all_of(campaign_.kernels, kernel_of);
-    all_of(campaign_.methods, method_of);
+    all_named(campaign_.kernels, known_kernel);
+    all_named(campaign_.methods, known_method);
     blocks_ = blocks_of(campaign_);
 }
 
@@ -232,7 +232,7 @@ Tallies Results::sum(std::string_view family, const Experiment& experiment) cons
 }
 
 bool Results::as_promised() const {
-    const auto kernels = all_of(campaign_.kernels, kernel_of);
+    const auto kernels = all_named(campaign_.kernels, known_kernel);
     for (const auto& [number, tallies] : finished_) {
         for (std::size_t i = 0; i < tallies.size(); ++i) {
             if (kernels[i / campaign_.methods.size()].is_always_right() && !tallies[i].all_right()) return false;

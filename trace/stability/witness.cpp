@@ -16,22 +16,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The first error of a run: a pixel, or a curve and a column.
-using Place = std::pair<int, int>;
+using WrongPlace = std::pair<int, int>;
 
-std::optional<Place> wrong_pixel(const AdmittedScene& scene, Method method, const NamedKernel& kernel) {
+std::optional<WrongPlace> wrong_pixel(const AdmittedScene& scene, Method method, const NamedKernel& kernel) {
     if (refusal_of(method, scene)) return std::nullopt;
     const Picture painted = run({method, kernel, Edition::corrected, scene});
     const Picture right = run({reference_of(method), *kernel_named("filtered"), Edition::corrected, scene});
     const Area& area = scene->area;
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
-            if (painted.at(x, y) != right.at(x, y)) return Place{x, y};
+            if (painted.at(x, y) != right.at(x, y)) return WrongPlace{x, y};
         }
     }
     return std::nullopt;
 }
 
-std::optional<Place> wrong_column(const AdmittedCurves& scene, const NamedKernel& kernel) {
+std::optional<WrongPlace> wrong_column(const AdmittedCurves& scene, const NamedKernel& kernel) {
     const auto drawn = [&](const NamedKernel& by) {
         return columns_drawn(run(FloatingHorizonRequest{by, Edition::corrected, scene}), scene);
     };
@@ -39,14 +39,14 @@ std::optional<Place> wrong_column(const AdmittedCurves& scene, const NamedKernel
     for (std::size_t curve = 0; curve < taken.size(); ++curve) {
         const auto [is, should] = std::mismatch(taken[curve].begin(), taken[curve].end(), right[curve].begin());
         if (is == taken[curve].end()) continue;
-        return Place{int(curve), scene->curves[curve].samples.front().x + int(is - taken[curve].begin())};
+        return WrongPlace{int(curve), scene->curves[curve].samples.front().x + int(is - taken[curve].begin())};
     }
     return std::nullopt;
 }
 
 /// The failure file. The remedy is the kernel that is always right.
 std::string failure_of(const std::string& scene, const Family& family, const std::string& method,
-                       const std::string& kernel, const char* shown, const Place& place) {
+                       const std::string& kernel, const char* shown, const WrongPlace& place) {
     const auto run = [&](const std::string& under) {
         return Json{{"method", method}, {"kernel", under}, {"edition", "corrected"}};
     };
