@@ -23,6 +23,8 @@ const far = 2 ** 22;
  * The state this many bytes before a goal is kept if the seek was twice as long, because readers often go back a little.
  */
 const near = 2 ** 17;
+/** If fewer than one event in this many is relevant, decoding their lines alone is quicker than decoding whole blocks. */
+const sparse = 8;
 
 /**
  * The number of steps between the keyframes of a run. Every other keyframe is dropped when there are too many, or when they
@@ -178,14 +180,18 @@ export class Timeline {
   private leap(state: State, step: number): void {
     if (step <= state.step) return;
     const way = stretch(this.names, state.step, step, this.depthChanges, this.uses);
-    state.leap(way, (each) => this.existing(each));
+    const isSparse = way.changes.length * sparse < step - state.step;
+    state.leap(way, (each) => {
+      const event = this.replayed(each, isSparse);
+      if (event === null) throw new RangeError(`step ${each} of ${this.length}`);
+      return event;
+    });
   }
 
-  private existing(step: number): Event {
+  /** The event of a step, as far as the state stores its values. */
+  private replayed(step: number, isSparse: boolean): Event | null {
     const { store } = this;
-    const hasRoom = hasRoomForDepths(this.header.scene);
-    const event = hasRoom ? store.event(step) : store.eventWithoutDepths(step);
-    if (event === null) throw new RangeError(`step ${step} of ${this.length}`);
-    return event;
+    if (!hasRoomForDepths(this.header.scene)) return store.eventWithoutDepths(step);
+    return isSparse ? store.eventAlone(step) : store.event(step);
   }
 }
