@@ -11,6 +11,12 @@ function(must_end program words)
     must_say(${program} 1 "The program ${words}")
 endfunction()
 
+# A reason that applies to each scene is given once.
+file(WRITE ${WORK}/fails.cpp "int main() { return 3; }\n")
+grade(${WORK}/fails.cpp)
+must_say(fails 1 "not judged Two triangles apart: no trace was written: ")
+must_say(fails 1 "not judged A near square before a far one: the same\n")
+
 must_end(crash "crashed (SIGSEGV): it accessed memory")
 must_end(endless_loop "did not end within 1 s")
 must_end(endless_output "")  # exceeds the limit of time or of output, depending on the speed of the disk
@@ -63,6 +69,7 @@ endfunction()
 find_program(TRUE_PROGRAM true REQUIRED)
 must_refuse("no trace was written: " ${TRUE_PROGRAM})
 must_refuse("No such file or directory" ./nothing)
+must_refuse("not executable: compile the source first" ${here}/crash.cpp)
 must_refuse("report.pdf: not .html" ./warnock -o report.pdf)
 must_refuse("homework is a folder, so -o must name a table, .csv or .json" homework)
 execute_process(COMMAND ${VIDNO} trace ${student}/../05-polygon-clip/scene.json --kernel exact -o exact.jsonl

@@ -253,7 +253,12 @@ TemporaryFolder::~TemporaryFolder() {
 Ended run_contained(const std::filesystem::path& program, const std::filesystem::path& folder,
                     const std::vector<std::pair<std::string, std::string>>& environment, const Limits& limits) {
     const std::string file = std::filesystem::absolute(program).string(), place = folder.string();
-    if (access(file.c_str(), X_OK) != 0) throw Refused(program.string() + ": " + system_reason());
+    if (access(file.c_str(), X_OK) != 0) {
+        const bool is_there = errno == EACCES;
+        throw Refused(program.string() + ": " +
+                      (is_there ? "not executable: compile the source first, or set the permission by chmod +x"
+                                : system_reason()));
+    }
     const bool in_a_sandbox = !limits.bubblewrap.empty();
     std::vector<std::string> words{file}, variables;
     if (in_a_sandbox) words = in_sandbox(limits.bubblewrap, file, place, environment);

@@ -28,9 +28,7 @@ std::string failure_of(const SceneGrade& grade, const Grading& grading) {
 }
 
 /// A scene's line, with the verdict in its own column.
-std::string line_of(const SceneGrade& grade, const Grading& grading) {
-    const Words& say = grading.say;
-    const std::string failure = failure_of(grade, grading);
+std::string line_of(const SceneGrade& grade, const std::string& failure, const Words& say) {
     const Bilingual verdict = !grade.judgement  ? Bilingual{"not judged ", "не проверено "}
                               : failure.empty() ? Bilingual{"right      ", "верно         "}
                                                 : Bilingual{"wrong      ", "неверно       "};
@@ -168,7 +166,14 @@ std::string name_of(Deviation deviation) {
 std::string report_of(const ProgramGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
     std::string text;
-    for (const auto& each : grade.scenes) text += line_of(each, grading);
+    std::string last;
+    for (const auto& each : grade.scenes) {
+        // A program that writes no trace fails on all scenes for the same reason.
+        std::string failure = failure_of(each, grading);
+        const bool is_repeated = !failure.empty() && failure == last;
+        text += line_of(each, is_repeated ? say({"the same", "то же"}) : failure, say);
+        last = std::move(failure);
+    }
     if (grade.scenes.size() < grade.given) {
         text += say({"  Not run on the remaining {} scenes.\n", "  На остальных сценах ({}) не запускалась.\n"},
                     grade.given - grade.scenes.size());
