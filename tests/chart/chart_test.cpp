@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "chart/chart_plot.h"
 #include "check/visible_areas.h"
 #include "output.h"
 #include "scene/scene_json.h"
@@ -317,6 +318,20 @@ TEST_CASE("Input for gnuplot: names stay inside their quotes") {
     scene.name = "it's `touch x`\nset output 'y'";
     const std::string script = chart_script({charted(admit(scene))}, 0, 0);
     CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
+}
+
+TEST_CASE("In a figure, a label that would cover another is a line farther from the marks") {
+    // Two decades take 688 pixels, so 10 and 12 are 344 log10(1.2) = 27 pixels apart. "double" takes 6 times 8.
+    const PlotMark first{10, 0, "double"}, second{12, 0, "exact"}, last{1000, 0, "exact"};
+    Plot plot;
+    plot.errors = {0};
+    plot.marks = {{first}, {second, last}};
+    plot.labels = {{{first}, false}, {{second, last}, false}, {{second}, true}};
+    const std::string script = plot_script({plot}, PlotWords{}, PlotLayout{.panel_width = 800});
+    CHECK(script.find("set label 'double' at 10,0.1 left offset -0.6,-0.9 ") != script.npos);
+    CHECK(script.find("set label 'exact' at 12,0.1 left offset -0.6,-1.9 ") != script.npos);
+    CHECK(script.find("set label 'exact' at 1000,0.1 left offset -0.6,-0.9 ") != script.npos);
+    CHECK_MESSAGE(script.find("set label 'exact' at 12,0.1 left offset -0.6,0.9 ") != script.npos, "above the marks");
 }
 
 TEST_CASE("The figure of a chart has the name of a scene of the course in its language") {

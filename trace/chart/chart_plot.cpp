@@ -4,7 +4,9 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace vidno {
 
@@ -36,7 +38,7 @@ std::string power_of_ten(int exponent) { return "1e" + std::to_string(exponent);
 
 class Panel {
 public:
-    Panel(const Plot& plot, const PlotWords& words) : plot_(plot), words_(words) {
+    Panel(const Plot& plot, const PlotWords& words, int width) : plot_(plot), words_(words), width_(width) {
         double least = infinity;
         double most = 0;
         for (const double value : plot.errors) {
@@ -99,31 +101,60 @@ private:
     }
 
     /// Marks that are close together have one label.
-    std::string labels() const {
+    static std::vector<PlotMark> joined(std::vector<PlotMark> marks) {
         constexpr double close = 2.5;
-        std::string text;
+        std::sort(marks.begin(), marks.end());
+        std::vector<PlotMark> labels;
+        for (const auto& mark : marks) {
+            if (!labels.empty() && mark.cost < close * labels.back().cost && mark.error == labels.back().error) {
+                labels.back().name += ", " + mark.name;
+            } else {
+                labels.push_back(mark);
+            }
+        }
+        return labels;
+    }
+
+    /// The decades of the cost axis that a character of a label takes.
+    double character() const {
+        constexpr double pixels = 8, beside_the_axis = 112;
+        double least = infinity, most = 0;
+        for (const auto& series : plot_.marks) {
+            for (const auto& mark : series) {
+                least = std::min(least, mark.cost);
+                most = std::max(most, mark.cost);
+            }
+        }
+        const double decades = std::ceil(std::log10(most)) - std::floor(std::log10(least));
+        return decades * pixels / (width_ - beside_the_axis);
+    }
+
+    /// A label that would cover another one is a line farther from the marks.
+    std::string labels() const {
+        std::vector<std::pair<PlotMark, bool>> labels;
         for (const auto& [marks, above] : plot_.labels) {
-            auto named = marks;
-            std::sort(named.begin(), named.end());
-            std::vector<PlotMark> labels;
-            for (const auto& mark : named) {
-                if (!labels.empty() && mark.cost < close * labels.back().cost && mark.error == labels.back().error) {
-                    labels.back().name += ", " + mark.name;
-                } else {
-                    labels.push_back(mark);
-                }
-            }
-            const std::string offset = above ? "-0.6,0.9" : "-0.6,-0.9";
-            for (const auto& [cost, error, name] : labels) {
-                text += "set label " + in_quotes(name) + " at " + number(cost) + "," + number(height_of(error)) +
-                        " left offset " + offset + " font ',13'\n";
-            }
+            for (auto& label : joined(marks)) labels.emplace_back(std::move(label), above);
+        }
+        std::sort(labels.begin(), labels.end());
+        const double wide = character();
+        std::map<std::pair<double, bool>, std::vector<double>> ends;  // the ends of the lines above or below an error
+        std::string text;
+        for (const auto& [mark, above] : labels) {
+            const double begin = std::log10(mark.cost);
+            auto& lines = ends[{mark.error, above}];
+            const auto free = std::find_if(lines.begin(), lines.end(), [&](double end) { return end <= begin; });
+            const double line = 0.9 + double(free - lines.begin());
+            (free == lines.end() ? lines.emplace_back() : *free) = begin + wide * double(mark.name.size());
+            text += "set label " + in_quotes(mark.name) + " at " + number(mark.cost) + "," +
+                    number(height_of(mark.error)) + " left offset -0.6," + number(above ? line : -line) +
+                    " font ',13'\n";
         }
         return text;
     }
 
     const Plot& plot_;
     const PlotWords& words_;
+    int width_;
     bool has_zero_ = false, has_infinity_ = false;
     int lowest_ = 0, highest_ = 1;  // decades of what is neither
 };
@@ -168,7 +199,7 @@ std::string plot_script(const std::vector<Plot>& plots, const PlotWords& words, 
         const int row = int(i) / columns;
         out << "set origin " << double(int(i) % columns) / columns << "," << 1 - (row + 1) * panel_share
             << "\nset size " << 1.0 / columns << "," << panel_share << '\n'
-            << Panel(plots[i], words).script();
+            << Panel(plots[i], words, layout.panel_width).script();
     }
     out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n'
         << legend(legend_rows, words) << "unset multiplot\n";
