@@ -1,6 +1,6 @@
 // Writes the files derived from the tables of events and choices:
 //
-//     vidno_event_table page LISTINGS FAILURES FOLDER   the page's table of events, its choices, what it says of other formats, and the witnesses of deviations
+//     vidno_event_table page LISTINGS FAILURES FOLDER   the page's table of events, its choices, what it says of other formats, the names of scenes, and the witnesses of deviations
 //     vidno_event_table documents TRACE                 the derived parts of FORMAT.md and of the schemas, in the folder trace/
 
 #include <iostream>
@@ -19,6 +19,7 @@ int main(int count, char** words) try {
         write_file(arguments[3] + "/event-table.ts", event_types(read_file(arguments[1])));
         write_file(arguments[3] + "/choices.json", choices_json());
         write_file(arguments[3] + "/format-words.json", format_words_json());
+        write_file(arguments[3] + "/scene-names.json", scene_names_json());
         write_file(arguments[3] + "/witnesses.json", witnesses_json([&](std::string_view witness) {
                        return read_file(arguments[2] + "/" + std::string(witness) + ".json");
                    }));

@@ -6,6 +6,7 @@ import { kinds } from '../format.js';
 import type { Kind } from '../format.js';
 import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
+import { nameIn } from '../scene-names.js';
 import type { View } from '../views.js';
 
 /** The choice of the subject and of the two axes. */
@@ -123,7 +124,7 @@ export class ChoicesElement extends LitElement {
   private option({ id, name, kind, subjects }: View): TemplateResult {
     const { texts, view, language } = this.shown;
     return html`<option value=${id} .selected=${id === view.id}>
-      ${name ?? texts.allOf[kind](whole(subjects.length, language))}
+      ${name === null ? texts.allOf[kind](whole(subjects.length, language)) : nameIn(language, name)}
     </option>`;
   }
 
