@@ -39,7 +39,7 @@ export class ChoicesElement extends LitElement {
       }
       select {
         min-width: 0;
-        max-width: clamp(10rem, 18vw, 24rem);
+        max-width: clamp(10rem, 100vw - 65rem, 24rem);
         padding: 0 0.5rem;
       }
       .segments {
