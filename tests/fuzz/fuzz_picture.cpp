@@ -51,9 +51,11 @@ public:
             case 0: break;  // the same
             case 1: last_ = std::nextafter(last_, bytes_.one() % 2 == 0 ? -INFINITY : INFINITY); break;
             case 2: last_ = double(int(bytes_.one() % 48) - 16) / 2; break;
-            case 3:
-                last_ = std::ldexp(bytes_.one() % 2 == 0 ? -1 : 1, int(bytes_.value<std::uint16_t>() % 2100) - 1076);
+            case 3: {
+                const double sign = bytes_.one() % 2 == 0 ? -1 : 1;
+                last_ = std::ldexp(sign, int(bytes_.value<std::uint16_t>() % 2100) - 1076);
                 break;
+            }
             default: last_ = bytes_.value<double>();
         }
         return last_;

@@ -86,6 +86,40 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
     CHECK(wrong_in_double > 0);
 }
 
+TEST_CASE("Where two edges meet a side of a window, what joins their ends is on the side") {
+    // A second triangle has the window of 2 x 2 pixels at (2, 2) clip the first one alone. The edge y = x meets that window's right side
+    // at (4, 4), and the edge of (5, 5) and (1, -7) at (4, 2). So in row 2 the first triangle has the centres from 2.5 to 3.5.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
+                                    .polygon({{1, -7, 0.125}, {-7, -7, 0.125}, {5, 5, 0.125}})
+                                    .polygon({{1, 1, -0.5}, {5, 1, -0.5}, {-5.5, 0, -0.5}})
+                                    .build();
+    for (const int bits : {1, 4}) {
+        const Picture picture = render(Method::warnock, scene, Grid(bits));
+        CHECK(picture.at(2, 2) == scene->polygons[0].color);
+        CHECK(picture.at(3, 2) == scene->polygons[0].color);
+        check_picture_rule(scene, bits);
+    }
+}
+
+TEST_CASE("Vertices on whole numbers: edges often meet the corners of windows, and no pixel is wrong") {
+    RandomScenes random(2711);
+    for (int i = 0; i < 4000; ++i) {
+        SceneBuilder builder({0, 0, 8, 8});
+        for (int polygon = 0; polygon < 4; ++polygon) {
+            Corners corners(3);
+            for (auto& corner : corners) {
+                corner.x = random.whole(-4, 12);
+                corner.y = random.whole(-4, 12);
+            }
+            const glm::dvec3 p = corners[1] - corners[0], q = corners[2] - corners[0];
+            for (auto& corner : corners) corner.z = polygon / 8.0;
+            if (p.x * q.y != p.y * q.x) builder.polygon(corners);
+        }
+        CAPTURE(i);
+        check_picture_rule(builder.build(), 1);
+    }
+}
+
 TEST_CASE("At the greatest width, ties and slivers are still decided right") {
     // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes differ by one step of z, and the sliver's sides, one step apart,
     // pass through centres.

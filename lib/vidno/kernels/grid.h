@@ -78,7 +78,9 @@ public:
         const double at = vertical ? pivot.x : pivot.y;
         const Sign beyond = vertical ? sign_right_of(a, at) : sign_below(a, at);
         const bool same_way = vertical ? b.y > pivot.y : b.x < pivot.x;
-        return {machine_.cross(pivot, a, b), same_way ? beyond : -beyond, vertical, at};
+        const SideCross cross{machine_.cross(pivot, a, b), same_way ? beyond : -beyond, vertical, at};
+        if (beyond == Sign::zero) a.put_on(vertical, at);
+        return cross;
     }
 
     /// Two neighbours with the same x or y are on an earlier side, or on a vertical or level edge. Otherwise both are on p's edge.

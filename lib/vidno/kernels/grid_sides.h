@@ -7,12 +7,19 @@
 namespace vidno {
 
 /// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
-/// At least one of x and y is exact then, and the edge gives the other.
+/// At least one of x and y is exact then, and the edge gives the other until the vertex is found to lie on a side.
 struct GridVertex {
-    double x, y, z;
-    bool x_is_exact, y_is_exact;
+    mutable double x, y;
+    double z;
+    mutable bool x_is_exact, y_is_exact;
     const Vertex<double>* from;  // the edge that it is on, or that begins there
     const Vertex<double>* to;
+
+    /// The vertex turned out to lie on a side. Two edges may end there, and what joins their ends is part of the side and of no edge.
+    void put_on(bool vertical, double at) const {
+        (vertical ? x : y) = at;
+        (vertical ? x_is_exact : y_is_exact) = true;
+    }
 };
 
 struct GridSides {
