@@ -7,7 +7,6 @@
 #include "choice/palette.h"
 #include "json/document_format.h"
 #include "json/json_text.h"
-#include "scene/scene_names.h"
 
 namespace vidno {
 
@@ -105,12 +104,6 @@ std::string format_words_json() {
                      {"newer", json_of({newer, russian.newer})},
                      {"older", json_of({older, russian.older})}};
     return words.dump() + "\n";
-}
-
-std::string scene_names_json() {
-    Json names = Json::array();
-    for (const Bilingual& name : scene_names) names.push_back(json_of(name));
-    return names.dump() + "\n";
 }
 
 std::string witnesses_json(const std::function<std::string(std::string_view)>& read) {

@@ -19,9 +19,6 @@ std::string choices_json();
 /// {"other": WORDS, "newer": WORDS, "older": WORDS}, each {"en": TEXT, "ru": TEXT}: what is said of a file of another format or version.
 std::string format_words_json();
 
-/// [{"en": TEXT, "ru": TEXT}, ...]: the names of the course's scenes.
-std::string scene_names_json();
-
 /// {EDITION: {method, kernel, title, scene}}: for each deviation the smallest scene that shows it, and the run that does. `read` gives
 /// the text of a witness, a file of lessons/failures.
 std::string witnesses_json(const std::function<std::string(std::string_view witness)>& read);

@@ -75,4 +75,7 @@ std::string with_methods(const std::string& schema, bool with_floating_horizon);
 /// The page's table of events, as TypeScript. The listings determine the events of each method.
 std::string event_types(const std::string& listings);
 
+/// [{"en": TEXT, "ru": TEXT}, ...]: the names of the course's scenes.
+std::string scene_names_json();
+
 }  // namespace vidno
