@@ -71,6 +71,7 @@ export const scene: SceneTexts = {
     'not an object': 'не объект',
     'not an array': 'не список',
     'not a string': 'не строка',
+    'unknown word': 'неизвестное слово',
     'neither true nor false': 'не true и не false',
     'not a whole number': 'не целое число',
     'not from {} to {}': 'не от {} до {}',
