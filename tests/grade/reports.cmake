@@ -11,17 +11,17 @@ function(must_end program words)
     must_say(${program} 1 "The program ${words}")
 endfunction()
 
-# A reason that applies to each scene is given once.
-file(WRITE ${WORK}/fails.cpp "int main() { return 3; }\n")
-grade(${WORK}/fails.cpp)
-must_say(fails 1 "not judged Two triangles apart: no trace was written: ")
-must_say(fails 1 "not judged A near square before a far one: the same\n")
-
 must_end(crash "crashed (SIGSEGV): it accessed memory")
 must_end(endless_loop "did not end within 1 s")
 must_end(endless_output "")  # exceeds the limit of time or of output, depending on the speed of the disk
 must_end(endless_printing "wrote more than 64 MiB")
 must_end(endless_memory "asked for more than 512 MiB of memory")
+
+# A reason that applies to each scene is given once.
+file(WRITE ${WORK}/fails.cpp "int main() { return 3; }\n")
+grade(${WORK}/fails.cpp)
+must_say(fails 1 "not judged Two triangles apart: no trace was written: ")
+must_say(fails 1 "not judged A near square before a far one: the same\n")
 
 compile(${here}/right/warnock.cpp ${here}/right/queue.cpp ${here}/wrong/four_vertices.cpp ${here}/surround_kept.cpp)
 

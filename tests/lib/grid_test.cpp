@@ -86,9 +86,10 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
     CHECK(wrong_in_double > 0);
 }
 
-TEST_CASE("Where two edges meet a side of a window, what joins their ends is on the side") {
-    // A second triangle has the window of 2 x 2 pixels at (2, 2) clip the first one alone. The edge y = x meets that window's right side
-    // at (4, 4), and the edge of (5, 5) and (1, -7) at (4, 2). So in row 2 the first triangle has the centres from 2.5 to 3.5.
+TEST_CASE("The segment between two edges that meet a side of a window is part of the side") {
+    // Because of the second triangle, windows are split down to 2 x 2 pixels. The one at (2, 2) clips the first triangle alone. The edge
+    // y = x meets its right side at (4, 4), and the edge from (5, 5) to (1, -7) at (4, 2). So in row 2 the first triangle covers the
+    // centres 2.5 and 3.5.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
                                     .polygon({{1, -7, 0.125}, {-7, -7, 0.125}, {5, 5, 0.125}})
                                     .polygon({{1, 1, -0.5}, {5, 1, -0.5}, {-5.5, 0, -0.5}})

@@ -15,7 +15,8 @@ struct GridVertex {
     const Vertex<double>* from;  // the edge that it is on, or that begins there
     const Vertex<double>* to;
 
-    /// The vertex turned out to lie on a side. Two edges may end there, and what joins their ends is part of the side and of no edge.
+    /// Makes the vertex exact, once it is found to lie on a side. Two edges may end there. The segment between their ends is then part of
+    /// the side, and of no edge.
     void put_on(bool vertical, double at) const {
         (vertical ? x : y) = at;
         (vertical ? x_is_exact : y_is_exact) = true;
