@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "chart/chart_input.h"
-#include "choice/read_edition.h"
+#include "choice/read_choice.h"
 #include "json/json_node.h"
 
 namespace vidno {
@@ -29,12 +29,6 @@ auto all_of(const JsonNode& list, const auto& read) {
     return items;
 }
 
-NamedKernel kernel_in(const JsonNode& node) {
-    const auto kernel = kernel_named(node.text());
-    if (!kernel) node.refuse("no kernel");
-    return *kernel;
-}
-
 /// Marks the fronts that a run is on.
 void read_fronts(const JsonNode& front, auto& run, const auto& cost_axes, const auto& error_axes) {
     front.require_keys({cost_axes[0].name, cost_axes[1].name, cost_axes[2].name});
@@ -52,7 +46,7 @@ ChartRun run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
                        "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
                        "depthUlps", "front"});
-    ChartRun run{{Method(node.at("method").place_among(method_names)), kernel_in(node.at("kernel"))}, {}, {}};
+    ChartRun run{{Method(node.at("method").place_among(method_names)), read_kernel(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     run.way.smallest_window = node.at("window").whole_number(1, largest_side);
     if (!node.at("knob").is_null()) {
@@ -74,7 +68,7 @@ ChartRun run_of(const JsonNode& node) {
 SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "knob", "value", "seconds", "time", "operations", "samples",
                        "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"});
-    SurfaceChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
+    SurfaceChartRun run{{read_kernel(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     if (!node.at("knob").is_null()) {
         run.way.knob = SamplingKnob(node.at("knob").place_among(sampling_knob_names));

@@ -1,7 +1,6 @@
 #include "format/trace_header.h"
 
-#include "choice/kernel_choice.h"
-#include "choice/read_edition.h"
+#include "choice/read_choice.h"
 #include "format/tree_event.h"
 #include "scene/scene_json.h"
 
@@ -9,16 +8,13 @@ namespace vidno {
 
 namespace {
 
-std::string read_kernel(const JsonNode& node) {
-    if (!node.is_text() || !kernel_named(node.text())) node.refuse("not one of " + kernel_names());
-    return node.text();
-}
-
 /// The fields that headers of both kinds have.
 void read_run(const JsonNode& object, auto& header) {
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
     header.edition = read_edition(member(object, "edition"));
-    header.kernel = read_kernel(member(object, "kernel"));
+    const JsonNode kernel = member(object, "kernel");
+    read_kernel(kernel);
+    header.kernel = kernel.text();
     header.detail = Detail(member(object, "detail").place_among(detail_names));
 }
 

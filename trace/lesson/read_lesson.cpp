@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "choice/method.h"
-#include "choice/read_edition.h"
+#include "choice/read_choice.h"
 #include "choice/read_texts.h"
 #include "json/document_format.h"
 #include "json/json_node.h"
@@ -152,14 +152,11 @@ private:
         run.method = methods[choice(node, "method", methods)];
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
         if (node.has("edition")) run.edition = read_edition(node.at("edition"));
-        if (node.has("kernel")) run.kernel = node.at("kernel").text();
-        const auto kernel = kernel_named(run.kernel);
-        if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());
-        const bool runs = run.of_curves() ? kernel->choice->runs_floating_horizon(run.edition)
-                                          : kernel->choice->runs(method_of(run), run.edition);
-        if (!runs) {
-            node.refuse(run.kernel + " does not run this method in this edition");
-        }
+        if (node.has("kernel")) run.kernel = read_kernel(node.at("kernel")).name();
+        const KernelChoice& kernel = *kernel_named(run.kernel)->choice;
+        const bool runs =
+            run.of_curves() ? kernel.runs_floating_horizon(run.edition) : kernel.runs(method_of(run), run.edition);
+        if (!runs) node.refuse(std::string(kernel.name) + " does not run this method in this edition");
         run.check = node.has("check") && node.at("check").truth();
         lesson_.runs.push_back(std::move(run));
     }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "choice/method.h"
-#include "choice/read_edition.h"
+#include "choice/read_choice.h"
 #include "choice/read_texts.h"
 #include "json/document_format.h"
 #include "json/json_node.h"
@@ -24,17 +24,14 @@ std::size_t read_name(const JsonNode& node, const auto& names, std::string_view 
 }
 
 NamedRun read_run(const JsonNode& node, bool of_curves) {
-    NamedRun run{node.at("method").text(), {}, {}};
-    const auto kernel = kernel_named(node.at("kernel").text());
-    if (!kernel) node.at("kernel").refuse("not one of " + kernel_names());
-    run.kernel = *kernel;
-    run.edition = read_edition(node.at("edition"));
+    const NamedRun run{node.at("method").text(), read_kernel(node.at("kernel")), read_edition(node.at("edition"))};
     if (of_curves != (run.method == floating_horizon_method)) {
         node.at("method").refuse(of_curves ? "draws no surface" : "draws a surface, and the scene is of polygons");
     }
-    const bool runs =
-        of_curves ? kernel->choice->runs_floating_horizon(run.edition)
-                  : kernel->choice->runs(Method(read_name(node.at("method"), method_names, "method")), run.edition);
+    const KernelChoice& choice = *run.kernel.choice;
+    const bool runs = of_curves
+                          ? choice.runs_floating_horizon(run.edition)
+                          : choice.runs(Method(read_name(node.at("method"), method_names, "method")), run.edition);
     if (!runs) node.refuse("the kernel does not run this method and edition");
     return run;
 }

@@ -35,7 +35,7 @@
 #include "check/findings_text.h"
 #include "check/seen_failure.h"
 #include "choice/method.h"
-#include "choice/read_edition.h"
+#include "choice/read_choice.h"
 #include "json/json_node.h"
 #include "margin/margin.h"
 #include "run/write_trace.h"
@@ -70,12 +70,6 @@ struct Options {
     bool check = false;
     std::uint64_t most_events = 0;
 };
-
-NamedKernel read_kernel(const JsonNode& node) {
-    const auto kernel = kernel_named(node.text());
-    if (!kernel) node.refuse("not one of " + kernel_names());
-    return *kernel;
-}
 
 enum class Kind { polygons, curves };
 
