@@ -93,7 +93,9 @@ void write_page(const SceneGrade& grade, const std::string& file, const Words& s
               << file_address(std::filesystem::absolute(file)) << "#trace=1&with=2&step=" << step << '\n';
 }
 
-ScenesToGrade scenes_of(const GradeOptions& options, const Words& say) {
+bool adds_random_scenes(const GradeOptions& options) { return options.scenes.empty() && options.random > 0; }
+
+ScenesToGrade scenes_of(const GradeOptions& options) {
     ScenesToGrade scenes;
     for (const auto& file : options.scenes) {
         AnyScene scene = any_scene_from(file);
@@ -105,9 +107,7 @@ ScenesToGrade scenes_of(const GradeOptions& options, const Words& say) {
     }
     if (!options.scenes.empty()) return scenes;
     scenes = {scenes_to_grade(), surfaces_to_grade()};
-    if (options.random == 0) return scenes;
-    std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
-                     options.random, std::to_string(options.seed));
+    if (!adds_random_scenes(options)) return scenes;
     for (AdmittedScene& scene : random_scenes_to_grade(options.seed, options.random))
         scenes.polygons.push_back(std::move(scene));
     for (Surface& surface : random_surfaces_to_grade(options.seed, options.random))
@@ -148,6 +148,13 @@ SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, co
                             [&, runs = 0ULL]() mutable { progress.show(++runs); });
 }
 
+/// Prints what repeats the random scenes.
+void print_seed(const GradeOptions& options, const Words& say) {
+    if (!adds_random_scenes(options)) return;
+    std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
+                     options.random, std::to_string(options.seed));
+}
+
 int grade_one(const GradeOptions& options, const Grading& grading) {
     const Words& say = grading.say;
     ProgramGrade grade;
@@ -157,11 +164,12 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
         for (std::string line; lines.next(line);) text += line + '\n';
         grade = grade_trace(std::move(text), grading);
     } else {
-        const ScenesToGrade scenes = scenes_of(options, say);
+        const ScenesToGrade scenes = scenes_of(options);
         Progress progress("scenes");
         grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
     }
     if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
+    if (!is_trace(options.program)) print_seed(options, say);
     std::cout << report_of(grade, grading);
     if (grade.wrong() == 0) return grade.right() ? 0 : 1;
     SceneGrade shown = *grade.first_wrong();
@@ -201,7 +209,8 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
     const std::vector<std::filesystem::path> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
     std::filesystem::create_directories(reports);
-    const ScenesToGrade scenes = scenes_of(options, grading.say);
+    const ScenesToGrade scenes = scenes_of(options);
+    print_seed(options, grading.say);
     const Patience patience{100, std::chrono::seconds(5)};
     const bool has_page = page_is_built();
     std::vector<TableRow> rows;
