@@ -1,7 +1,9 @@
 import type { Language } from '../language/language.js';
 import names from '../trace/scene-names.json' with { type: 'json' };
 
-/** The name of a scene in the language. A name that is not of the course remains as it is. */
+/** The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as they are. */
 export function nameIn(language: Language, name: string): string {
-  return names.find(({ en }) => en === name)?.[language] ?? name;
+  const [, known = name, number = ''] = /^(.*?)( · .*)$/.exec(name) ?? [];
+  const found = names.find(({ en }) => en === known)?.[language];
+  return found === undefined ? name : found + number;
 }
