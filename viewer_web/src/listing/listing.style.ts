@@ -139,6 +139,11 @@ export const listingStyle = css`
   .now .mark {
     color: var(--accent);
   }
+  @media (forced-colors: active) {
+    .now .mark {
+      color: inherit;
+    }
+  }
   .break {
     margin-right: 0.35rem;
   }
