@@ -203,4 +203,16 @@ describe("in the system's own colours", () => {
     expect(new Set(looks.changed)).toEqual(new Set(['solid']));
     expect(looks.slider).toBe('none');
   });
+
+  it('shows that the current line has a variant', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first&view=workbench', {
+      forcedColors: 'active',
+    });
+    const mark = page.locator('vidno-listing .now .mark');
+    while ((await mark.count()) === 0) await page.keyboard.press('ArrowRight');
+    const color = (element: Element): string => getComputedStyle(element).color;
+    expect(await mark.evaluate(color)).toBe(
+      await page.locator('vidno-listing .now').evaluate(color),
+    );
+  });
 });
