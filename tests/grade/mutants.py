@@ -158,14 +158,17 @@ def main():
     survivors = []
 
     def judge(job):
+        """The line and the change; the program if it survives; whether the grader missed it, and its report."""
         source, index, line, change, text = job
         program = course.compiled(f'{source.stem}_{index}', text)
         if not program:
             return None
-        caught, said = course.is_caught(program)
+        caught, _ = course.is_caught(program)
         if caught:
             program.unlink()
-        return source, line, change, program, caught, said
+            return line, change, None, False, ''
+        missed, said = course.is_caught(program, '--random', str(options.more), '--seed', '4711', patience=60)
+        return line, change, program, missed, said
 
     for source in PROGRAMS:
         text = source.read_text(encoding='utf-8')
@@ -184,12 +187,11 @@ def main():
             for judged in pool.map(judge, jobs):
                 if not judged:
                     continue
-                _, line, change, program, caught, said = judged
+                line, change, program, missed, said = judged
                 counts['mutants'] += 1
-                if caught:
+                if not program:
                     counts['caught'] += 1
                     continue
-                missed, said = course.is_caught(program, '--random', str(options.more), '--seed', '4711', patience=60)
                 if missed:
                     counts['missed'] += 1
                     reason = 'MISSED: ' + ' '.join(said.split('Wrong on')[-1].split())[:300]
