@@ -24,7 +24,7 @@ std::size_t read_name(const JsonNode& node, const auto& names, std::string_view 
 }
 
 NamedRun read_run(const JsonNode& node, bool of_curves) {
-    const NamedRun run{node.at("method").text(), read_kernel(node.at("kernel")), read_edition(node.at("edition"))};
+    NamedRun run{node.at("method").text(), read_kernel(node.at("kernel")), read_edition(node.at("edition"))};
     if (of_curves != (run.method == floating_horizon_method)) {
         node.at("method").refuse(of_curves ? "draws no surface" : "draws a surface, and the scene is of polygons");
     }
