@@ -14,7 +14,7 @@ void read_run(const JsonNode& object, auto& header) {
     header.edition = read_edition(member(object, "edition"));
     const JsonNode kernel = member(object, "kernel");
     read_kernel(kernel);
-    header.kernel = kernel.text();
+    header.kernel = kernel.text();  // as it is written, which the page keeps too
     header.detail = Detail(member(object, "detail").place_among(detail_names));
 }
 
