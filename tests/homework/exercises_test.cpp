@@ -97,7 +97,7 @@ TEST_CASE("profile: equally hard means counts within a tenth and a total within 
     CHECK_FALSE(is_as_hard({{"line W12"}, original.counts}, original));
 }
 
-TEST_CASE("exercises: each is as hard as the lesson's scene, uses no finer numbers, and makes a valid file" *
+TEST_CASE("exercises: each is a valid scene as hard as the lesson's, with numbers that are no finer" *
           doctest::skip(test::sanitized)) {
     for (const auto& [name, method] : originals) {
         const std::string file = name;

@@ -148,7 +148,7 @@ SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, co
                             [&, runs = 0ULL]() mutable { progress.show(++runs); });
 }
 
-/// Prints what repeats the random scenes.
+/// Prints the seed, which reproduces the random scenes.
 void print_seed(const GradeOptions& options, const Words& say) {
     if (!adds_random_scenes(options)) return;
     std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},

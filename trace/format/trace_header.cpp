@@ -14,7 +14,7 @@ void read_run(const JsonNode& object, auto& header) {
     header.edition = read_edition(member(object, "edition"));
     const JsonNode kernel = member(object, "kernel");
     read_kernel(kernel);
-    header.kernel = kernel.text();  // as it is written, which the page keeps too
+    header.kernel = kernel.text();  // as written, which is what the page keeps
     header.detail = Detail(member(object, "detail").place_among(detail_names));
 }
 

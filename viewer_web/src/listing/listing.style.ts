@@ -125,7 +125,7 @@ export const listingStyle = css`
     display: inline-block;
     width: 1.1em;
     margin-left: 0.15em;
-    /* With opacity, each mark would be a group for the browser to draw apart. */
+    /* With opacity, the browser would composite each mark separately. */
     color: color-mix(in srgb, var(--soft) 55%, transparent);
     font: normal 0.75rem / 1 var(--mono);
     text-align: center;
