@@ -5,6 +5,7 @@
 /// number.
 #pragma once
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -72,10 +73,20 @@ struct Orientation : Question<Decision::orientation, Coincidence::point_on_line>
 
     static Sign answer(const auto& kernel, const auto& pivot, const auto& a, const auto& b) {
         if (!kernel.arithmetic.is_exact()) return kernel.sign(kernel.cross(pivot, a, b));
-        const auto point = [](const auto& p) {
-            return typename CGAL::Simple_cartesian<Rational>::Point_2(p.x.rational(), p.y.rational());
+        const auto side = [&]<class Kernel>(Kernel, const auto& number) {
+            const auto point = [&](const auto& p) {
+                return typename Kernel::Point_2(number(p.x.exact()), number(p.y.exact()));
+            };
+            return Sign{int(CGAL::orientation(point(pivot), point(a), point(b)))};
         };
-        return Sign{int(CGAL::orientation(point(pivot), point(a), point(b)))};
+        const auto are_doubles = [](const auto&... p) {
+            return ((p.x.exact().as_double() && p.y.exact().as_double()) && ...);
+        };
+        if (are_doubles(pivot, a, b)) {
+            return side(CGAL::Exact_predicates_inexact_constructions_kernel(),
+                        [](const ExactNumber& v) { return *v.as_double(); });
+        }
+        return side(CGAL::Simple_cartesian<Rational>(), [](const ExactNumber& v) { return v.rational(); });
     }
     static void compare(const auto&, auto&& tell, const auto& pivot, const auto& a, const auto& b) {
         tell((a.x - pivot.x) * (b.y - pivot.y), (a.y - pivot.y) * (b.x - pivot.x));

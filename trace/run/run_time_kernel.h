@@ -36,7 +36,7 @@ struct RunTimeNumbers : NumberKernel<RunTimeNumber, RunTimeEntry> {
     Sign sign(const RunTimeNumber& value) const { return value.sign(); }
 
     bool same_rounded(const RunTimeNumber& v, const RunTimeNumber& w) const {
-        if (arithmetic.is_exact()) return Exact{}.same_rounded(v.rational(), w.rational());
+        if (arithmetic.is_exact()) return Exact{}.same_rounded(v.exact().rational(), w.exact().rational());
         const auto rounded = [&](const RunTimeNumber& of) { return std::floor((of + number(0.5)).value()); };
         return rounded(v) == rounded(w);
     }
@@ -68,7 +68,7 @@ private:
     static Point<Number> flat(const auto& p) { return {p.x, p.y}; }
 
     // Visits the numbers on which a decision is taken.
-    static constexpr auto value_exactly = [](const Number& v) { return Number(Rational(v.value())); };
+    static constexpr auto value_exactly = [](const Number& v) { return Number(ExactNumber(v.value())); };
     static constexpr auto truth_of = [](const Number& v) { return v.exact_truth(); };
     static constexpr auto is_finite = [](const Number& v) { return std::isfinite(v.value()); };
     static constexpr auto is_defined = [](const Number& v) { return v.has_truth(); };
@@ -150,7 +150,8 @@ private:
         std::vector<Gap> found;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             const auto& [left, right, pixel] = exact[i];
-            Gap& each = found.emplace_back(gap_of(if_zero, left.rational(), right.rational(), arithmetic.digits()));
+            Gap& each = found.emplace_back(
+                gap_of(if_zero, left.exact().rational(), right.exact().rational(), arithmetic.digits()));
             each.pixel = pixel;
             each.computed = Value(each.exact.text);
             if (arithmetic.is_exact()) continue;
@@ -353,7 +354,7 @@ public:
 
     /// The value in a trace's form.
     static Value told(const Number& number) {
-        return number.is_exact() ? Value(Exact::fraction(number.rational())) : Value(number.value());
+        return number.is_exact() ? Value(number.exact().fraction()) : Value(number.value());
     }
     static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
 

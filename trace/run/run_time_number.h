@@ -5,17 +5,15 @@
 
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "format/verdict.h"
+#include "run/exact_number.h"
 #include "vidno/kernels/bits.h"
-#include "vidno/kernels/exact.h"
 
 namespace vidno {
 
@@ -48,22 +46,6 @@ struct Arithmetic {
     }
 };
 
-/// A double as a fraction.
-inline Fraction fraction_of(double value) {
-    if (!std::isfinite(value)) return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
-    // A judged run writes each number that it uses. Nearly all of them are quotients of two words, which need no rationals.
-    constexpr int most_halvings = std::numeric_limits<std::int64_t>::digits - 1;
-    int halvings = 0;
-    double whole = value;
-    while (whole != std::trunc(whole) && halvings < most_halvings) {
-        whole *= 2;
-        ++halvings;
-    }
-    const bool are_words = whole == std::trunc(whole) && std::abs(whole) < 0x1p63;
-    if (!are_words) return {Exact::fraction(Rational(value))};
-    return {std::to_string(std::int64_t(whole)) + '/' + std::to_string(std::int64_t{1} << halvings)};
-}
-
 /// The gap between the numbers left and right, in ulps of the greater one.
 inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& right, int digits) {
     const Rational exact = left - right;
@@ -75,30 +57,6 @@ inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& rig
     return gap;
 }
 
-/// A rational that its copies share, since most numbers are copied more often than computed with. Its text is written once.
-class SharedRational {
-public:
-    SharedRational() = default;
-    explicit SharedRational(Rational value) : shared_(std::make_shared<Shared>(std::move(value))) {}
-
-    explicit operator bool() const { return shared_ != nullptr; }
-    const Rational& operator*() const { return shared_->value; }
-
-    const std::string& fraction() const {
-        if (shared_->fraction.empty()) shared_->fraction = Exact::fraction(shared_->value);
-        return shared_->fraction;
-    }
-
-private:
-    struct Shared {
-        explicit Shared(Rational given) : value(std::move(given)) {}
-        Rational value;
-        std::string fraction{};
-    };
-
-    std::shared_ptr<Shared> shared_;
-};
-
 class RunTimeNumber {
 public:
     RunTimeNumber() = default;
@@ -108,14 +66,14 @@ public:
     /// A number of the scene or the screen. Its truth is the given number.
     RunTimeNumber(const Arithmetic& arithmetic, double given, const Judge* judge = nullptr)
         : value_(arithmetic.rounded(given)), arithmetic_(arithmetic), judge_(judge) {
-        if (judge || arithmetic.is_exact()) rational_ = SharedRational(Rational(given));
+        if (judge || arithmetic.is_exact()) exact_ = ExactNumber(given);
     }
 
     /// An exact number.
-    explicit RunTimeNumber(Rational exact) : arithmetic_{Arithmetic::Kind::exact}, rational_(std::move(exact)) {}
+    explicit RunTimeNumber(ExactNumber exact) : arithmetic_{Arithmetic::Kind::exact}, exact_(std::move(exact)) {}
 
     /// The same truth with another value in use.
-    RunTimeNumber with_value(double value) const { return {arithmetic_, value, rational_, judge_}; }
+    RunTimeNumber with_value(double value) const { return {arithmetic_, value, exact_, judge_}; }
 
     /// A number whose truth is unknown: only the computed value.
     static RunTimeNumber without_truth(const Arithmetic& arithmetic, double computed, const Judge* judge) {
@@ -126,39 +84,32 @@ public:
     const Judge* judge() const { return judge_; }
 
     /// For an exact number, the nearest double or one next to it.
-    explicit operator double() const { return is_exact() ? CGAL::to_double(*rational_) : value_; }
+    explicit operator double() const { return is_exact() ? double(exact_) : value_; }
 
     /// The number must not be exact.
     double value() const { return value_; }
 
     /// The number itself if it is exact; else its truth.
     std::optional<Rational> truth() const {
-        if (rational_) return *rational_;
-        return is_constant() ? std::optional(Rational(value_)) : std::nullopt;
+        const ExactNumber found = exactly();
+        return found ? std::optional(found.rational()) : std::nullopt;
     }
-    bool has_truth() const { return rational_ || is_constant(); }
+    bool has_truth() const { return exact_ || is_constant(); }
 
     /// The number must be exact.
-    const Rational& rational() const { return *rational_; }
+    const ExactNumber& exact() const { return exact_; }
 
     /// The truth as an exact number; there must be one.
-    RunTimeNumber exact_truth() const {
-        if (!rational_) return RunTimeNumber(Rational(value_));
-        return {{Arithmetic::Kind::exact}, 0, rational_, nullptr};
-    }
+    RunTimeNumber exact_truth() const { return RunTimeNumber(exactly()); }
 
-    Sign sign() const {
-        return is_exact() ? Sign{int(CGAL::sign(*rational_))} : Sign{int(value_ > 0) - int(value_ < 0)};
-    }
+    Sign sign() const { return is_exact() ? exact_.sign() : Sign{int(value_ > 0) - int(value_ < 0)}; }
 
     /// The number in use, without its truth.
     RunTimeNumber not_judged() const { return {arithmetic_, value_, {}, nullptr}; }
 
     /// The number as an operand of a decision, with a name.
     Operand operand(std::string name) const {
-        const Fraction right = rational_       ? Fraction{rational_.fraction()}
-                               : is_constant() ? fraction_of(value_)
-                                               : Fraction{};
+        const Fraction right{has_truth() ? exactly().fraction() : ""};
         return {std::move(name), is_exact() ? right : fraction_of(value_), right};
     }
 
@@ -172,7 +123,7 @@ public:
     /// Not 0 - a, since a machine's number may become -0.
     friend RunTimeNumber operator-(RunTimeNumber a) {
         a.value_ = -a.value_;
-        if (a.rational_) a.rational_ = SharedRational(-*a.rational_);
+        if (a.exact_) a.exact_ = -a.exact_;
         return a;
     }
     friend RunTimeNumber operator+(const RunTimeNumber& a, const RunTimeNumber& b) {
@@ -185,14 +136,14 @@ public:
         return computed(a, b, std::multiplies<>());
     }
     friend RunTimeNumber operator/(const RunTimeNumber& a, const RunTimeNumber& b) {
-        const bool undefined = judge_of(a, b) && !common(a, b).is_exact() && b.rational_ && CGAL::is_zero(*b.rational_);
+        const bool undefined = judge_of(a, b) && !common(a, b).is_exact() && b.exact_ && b.exact_.sign() == Sign::zero;
         if (!undefined) return computed(a, b, std::divides<>());
         const Arithmetic& arithmetic = common(a, b);
         return {arithmetic, arithmetic.result(a.value_, b.value_, std::divides<>()), {}, judge_of(a, b)};
     }
 
     friend int whole_part(const RunTimeNumber& a, int low, int end) {
-        return a.is_exact() ? vidno::whole_part(*a.rational_, low, end) : vidno::whole_part(a.value_, low, end);
+        return a.is_exact() ? a.exact_.whole_part(low, end) : vidno::whole_part(a.value_, low, end);
     }
 
     friend bool operator<(const RunTimeNumber& a, const RunTimeNumber& b) { return compared(a, b, std::less<>()); }
@@ -212,8 +163,8 @@ private:
     /// Whether the answer to a comparison of equal numbers matters.
     enum class Equal { decides, decides_nothing };
 
-    RunTimeNumber(const Arithmetic& arithmetic, double computed, SharedRational rational, const Judge* judge)
-        : value_(computed), arithmetic_(arithmetic), rational_(std::move(rational)), judge_(judge) {}
+    RunTimeNumber(const Arithmetic& arithmetic, double computed, ExactNumber exact, const Judge* judge)
+        : value_(computed), arithmetic_(arithmetic), exact_(std::move(exact)), judge_(judge) {}
 
     bool is_constant() const { return arithmetic_.kind == Arithmetic::Kind::constant; }
 
@@ -224,17 +175,18 @@ private:
         return a.judge_ ? a.judge_ : b.judge_;
     }
 
-    /// `use(p, q)` of the two as rationals; a default Result if one of them is undefined.
+    /// The number itself if it is exact or a constant; else its truth, which may be undefined.
+    ExactNumber exactly() const { return is_constant() ? ExactNumber(value_) : exact_; }
+
+    /// `use(p, q)` of the two as exact numbers; a default Result if one of them is undefined.
     template <class Result>
-    static Result of_rationals(const RunTimeNumber& a, const RunTimeNumber& b, auto&& use) {
-        if (a.rational_ && b.rational_) return use(*a.rational_, *b.rational_);
-        if (a.rational_ && b.is_constant()) return use(*a.rational_, Rational(b.value_));
-        if (a.is_constant() && b.rational_) return use(Rational(a.value_), *b.rational_);
-        return {};
+    static Result of_exact(const RunTimeNumber& a, const RunTimeNumber& b, auto&& use) {
+        const ExactNumber p = a.exactly(), q = b.exactly();
+        return p && q ? Result(use(p, q)) : Result();
     }
 
     /// Neither exact nor judged.
-    bool is_plain() const { return !rational_ && !judge_; }
+    bool is_plain() const { return !exact_ && !judge_; }
 
     static RunTimeNumber computed(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
         if (!a.is_plain() || !b.is_plain()) return computed_exactly(a, b, operation);
@@ -243,14 +195,13 @@ private:
     }
     static RunTimeNumber computed_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
         const auto exactly = [&] {
-            return of_rationals<SharedRational>(
-                a, b, [&](const Rational& p, const Rational& q) { return SharedRational(operation(p, q)); });
+            return of_exact<ExactNumber>(
+                a, b, [&](const auto& p, const auto& q) { return ExactNumber::result(p, q, operation); });
         };
         const Arithmetic& arithmetic = common(a, b);
         const Judge* judge = judge_of(a, b);
         if (arithmetic.is_exact()) return {arithmetic, 0, exactly(), judge};
-        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), judge ? exactly() : SharedRational(),
-                judge};
+        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), judge ? exactly() : ExactNumber(), judge};
     }
 
     /// Comparing does not round: the answer is right for the operands.
@@ -259,8 +210,8 @@ private:
     }
     static bool compared_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto relation, Equal equal) {
         const auto exactly = [&] {
-            return of_rationals<std::optional<bool>>(
-                a, b, [&](const Rational& p, const Rational& q) { return std::optional<bool>(relation(p, q)); });
+            return of_exact<std::optional<bool>>(
+                a, b, [&](const auto& p, const auto& q) { return ExactNumber::related(p, q, relation); });
         };
         const Judge* judge = judge_of(a, b);
         if (!judge && common(a, b).is_exact()) return *exactly();
@@ -268,7 +219,10 @@ private:
         const bool taken = common(a, b).is_exact() ? *right : relation(a.value_, b.value_);
         if (judge) {
             const NumbersCompared compared(a, b);
-            const bool is_listed = equal == Equal::decides || taken || !of_rationals<bool>(a, b, std::equal_to<>());
+            const auto are_equal = [](const auto& p, const auto& q) {
+                return ExactNumber::related(p, q, std::equal_to<>());
+            };
+            const bool is_listed = equal == Equal::decides || taken || !of_exact<bool>(a, b, are_equal);
             Verdict verdict{Decision::comparison, taken, {}, true, is_listed ? &compared : nullptr};
             if (right) verdict.truth.answer = *right;
             (*judge)(verdict);
@@ -298,7 +252,7 @@ private:
 
     double value_ = 0;
     Arithmetic arithmetic_;
-    SharedRational rational_;       // the number itself if it is exact; else its truth
+    ExactNumber exact_;             // the number itself if it is exact; else its truth
     const Judge* judge_ = nullptr;  // that of the number's run; none for a constant
 };
 

@@ -1,0 +1,94 @@
+#include "run/exact_number.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+using vidno::ExactNumber;
+using vidno::Rational;
+
+namespace {
+
+/// A double of any size, often with few digits, so that some results need no rounding.
+double any_double(std::mt19937& random) {
+    const int digits = std::uniform_int_distribution(1, 53)(random);
+    const auto significand = double(std::uniform_int_distribution<std::int64_t>(-(1LL << 53), 1LL << 53)(random));
+    const bool is_extreme = random() % 4 == 0;
+    const int exponent = is_extreme ? std::uniform_int_distribution(-1070, 900)(random) : int(random() % 40) - 20;
+    return std::ldexp(std::trunc(std::ldexp(significand, digits - 53)), exponent);
+}
+
+std::string text(const Rational& value) { return vidno::Exact::fraction(value); }
+
+/// The result as a fraction, by way of doubles where they suffice, and whether they did.
+void check_result(double a, double b, auto operation) {
+    const Rational right = operation(Rational(a), Rational(b));
+    const ExactNumber found = ExactNumber::result(ExactNumber(a), ExactNumber(b), operation);
+    CHECK(found.fraction() == text(right));
+    CHECK(text(found.rational()) == text(right));
+    CHECK(int(found.sign()) == int(CGAL::sign(right)));
+    if (const auto kept = found.as_double()) CHECK(Rational(*kept) == right);
+}
+
+bool needs_no_rational(double a, double b, auto operation) {
+    return ExactNumber::result(ExactNumber(a), ExactNumber(b), operation).as_double().has_value();
+}
+
+}  // namespace
+
+TEST_CASE("Exact numbers: results of doubles of any size are those of rationals") {
+    std::mt19937 random(1);
+    for (int i = 0; i < 20000; ++i) {
+        const double a = any_double(random);
+        const double b = any_double(random);
+        CAPTURE(a);
+        CAPTURE(b);
+        check_result(a, b, std::plus<>());
+        check_result(a, b, std::minus<>());
+        check_result(a, b, std::multiplies<>());
+        if (b != 0) check_result(a, b, std::divides<>());
+        CHECK(ExactNumber::related(ExactNumber(a), ExactNumber(b), std::less<>()) == (a < b));
+    }
+}
+
+TEST_CASE("Exact numbers: a result stays a double if it is one") {
+    CHECK(needs_no_rational(0.5, 0.25, std::plus<>()));
+    CHECK(needs_no_rational(1.5, 1.5, std::minus<>()));
+    CHECK(needs_no_rational(0.75, 10.5, std::multiplies<>()));
+    CHECK(needs_no_rational(6, 4, std::divides<>()));
+    CHECK(needs_no_rational(0, 7, std::divides<>()));
+}
+
+TEST_CASE("Exact numbers: a result that was rounded, or may have been, is a rational") {
+    CHECK_FALSE(needs_no_rational(0.1, 0.2, std::plus<>()));
+    CHECK_FALSE(needs_no_rational(1, 3, std::divides<>()));
+    CHECK_FALSE(needs_no_rational(0.1, 0.1, std::multiplies<>()));
+    CHECK_FALSE(needs_no_rational(0x1p-600, 0x1p-600, std::multiplies<>()));  // 2^-1200 is no double
+    CHECK_FALSE(needs_no_rational(0x1p1023, 0x1p1023, std::plus<>()));        // nor is 2^1024
+    CHECK_FALSE(needs_no_rational(0x1p-537, 0x1p-537, std::multiplies<>()));  // 2^-1074 is the least double
+}
+
+TEST_CASE("Exact numbers: a chain of results may leave the doubles and return") {
+    const ExactNumber third = ExactNumber::result(ExactNumber(1.0), ExactNumber(3.0), std::divides<>());
+    const ExactNumber one = ExactNumber::result(third, ExactNumber(3.0), std::multiplies<>());
+    CHECK(third.fraction() == "1/3");
+    CHECK((-third).fraction() == "-1/3");
+    CHECK(one.fraction() == "1/1");
+    CHECK(ExactNumber::related(one, ExactNumber(1.0), std::equal_to<>()));
+    CHECK(ExactNumber::related(third, ExactNumber(1.0 / 3), std::greater<>()));  // the double is less than a third
+}
+
+TEST_CASE("Exact numbers: fractions of doubles") {
+    CHECK(ExactNumber(0.0).fraction() == "0/1");
+    CHECK(ExactNumber(-0.0).fraction() == "0/1");
+    CHECK_FALSE(std::signbit(double(ExactNumber(-0.0))));
+    CHECK(ExactNumber(-2.75).fraction() == "-11/4");
+    CHECK(ExactNumber(0x1p62).fraction() == "4611686018427387904/1");
+    CHECK(ExactNumber(0x1p63).fraction() == "9223372036854775808/1");
+    CHECK(ExactNumber(0x1p-62).fraction() == "1/4611686018427387904");
+    CHECK(ExactNumber(0x1p-63).fraction() == "1/9223372036854775808");
+    CHECK_FALSE(ExactNumber());
+}
