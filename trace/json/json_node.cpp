@@ -168,12 +168,12 @@ const std::string& JsonNode::text() const {
     return value_.get_ref<const std::string&>();
 }
 
-std::size_t JsonNode::place_among(std::span<const std::string_view> names) const {
+std::size_t JsonNode::place_among(std::span<const std::string_view> names, std::string_view reason) const {
     if (value_.is_string()) {
         const auto found = std::find(names.begin(), names.end(), text());
         if (found != names.end()) return std::size_t(found - names.begin());
     }
-    refuse("unknown word");
+    refuse(reason);
 }
 
 bool JsonNode::truth() const {

@@ -58,8 +58,8 @@ public:
 
     const nlohmann::json& object() const;
     const std::string& text() const;
-    /// The index of the text among the names. Any other text is refused.
-    std::size_t place_among(std::span<const std::string_view> names) const;
+    /// The index of the text among the names. Anything else is refused for this reason.
+    std::size_t place_among(std::span<const std::string_view> names, std::string_view reason = "unknown word") const;
     bool truth() const;
     int whole_number(int least, int greatest) const;
     /// A number, or one written as hexadecimal text. -0 becomes 0.

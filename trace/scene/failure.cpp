@@ -1,6 +1,5 @@
 #include "scene/failure.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "choice/method.h"
@@ -17,21 +16,16 @@ namespace {
 
 constexpr std::string_view failure_format = "vidno-failure/1";
 
-std::size_t read_name(const JsonNode& node, const auto& names, std::string_view of) {
-    const auto found = std::find(names.begin(), names.end(), node.text());
-    if (found == names.end()) node.refuse("no " + std::string(of) + " of this name");
-    return std::size_t(found - names.begin());
-}
-
 NamedRun read_run(const JsonNode& node, bool of_curves) {
     NamedRun run{node.at("method").text(), read_kernel(node.at("kernel")), read_edition(node.at("edition"))};
     if (of_curves != (run.method == floating_horizon_method)) {
         node.at("method").refuse(of_curves ? "draws no surface" : "draws a surface, and the scene is of polygons");
     }
     const KernelChoice& choice = *run.kernel.choice;
-    const bool runs = of_curves
-                          ? choice.runs_floating_horizon(run.edition)
-                          : choice.runs(Method(read_name(node.at("method"), method_names, "method")), run.edition);
+    const bool runs =
+        of_curves
+            ? choice.runs_floating_horizon(run.edition)
+            : choice.runs(Method(node.at("method").place_among(method_names, "no method of this name")), run.edition);
     if (!runs) node.refuse("the kernel does not run this method and edition");
     return run;
 }
@@ -42,7 +36,9 @@ std::pair<int, int> read_place(const JsonNode& node) {
     return {whole(0), whole(1)};
 }
 
-std::string read_line(const JsonNode& node) { return std::string(line_names[read_name(node, line_names, "line")]); }
+std::string read_line(const JsonNode& node) {
+    return std::string(line_names[node.place_among(line_names, "no line of this name")]);
+}
 
 Shows read_shows(const JsonNode& node, bool of_curves) {
     if (of_curves) {
@@ -60,7 +56,7 @@ Shows read_shows(const JsonNode& node, bool of_curves) {
         shows.place = {place.at(0).whole_number(0, farthest_offset), place.at(1).number()};
     }
     if (node.has("wrong")) {
-        shows.wrong = procedure_names[read_name(node.at("wrong"), procedure_names, "procedure")];
+        shows.wrong = procedure_names[node.at("wrong").place_among(procedure_names, "no procedure of this name")];
     }
     if (node.has("fault")) shows.fault = read_line(node.at("fault"));
     if (node.has("missing")) shows.missing = read_line(node.at("missing"));
