@@ -20,6 +20,9 @@ namespace vidno::cli {
 
 namespace {
 
+/// What a student hands in.
+enum class HandedIn : unsigned char { program, trace, folder };
+
 struct GradeOptions {
     std::string program, output;      // or a trace, or a folder; the output may be empty
     std::vector<std::string> scenes;  // none: those of the program
@@ -28,6 +31,11 @@ struct GradeOptions {
     unsigned seed = 1;
     std::string detail{detail_names[0]}, language{language_codes[0]};
     bool no_sandbox = false, first = false;
+
+    HandedIn handed_in() const {
+        if (std::filesystem::is_directory(program)) return HandedIn::folder;
+        return is_trace(program) ? HandedIn::trace : HandedIn::program;
+    }
 };
 
 PageFile page_file(const std::string& title, const AnyHeader& any, const std::string& trace) {
@@ -61,7 +69,7 @@ std::string right_trace(const FloatingHorizonHeader& header, const NamedKernel& 
 }
 
 PageFile right_run(AnyHeader any, const Words& say) {
-    const NamedKernel kernel = *kernel_named("filtered");
+    const NamedKernel kernel = kernel_of(KernelKind::filtered);
     const std::string text = std::visit(
         [&](auto& header) {
             header.edition = Edition::corrected;
@@ -121,7 +129,7 @@ Grading grading_of(const GradeOptions& options) {
     grading.limits.time = std::chrono::seconds(options.seconds);
     grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
     grading.first_only = options.first;
-    if (options.no_sandbox || is_trace(options.program)) return grading;
+    if (options.no_sandbox || options.handed_in() == HandedIn::trace) return grading;
     const Sandbox sandbox = find_sandbox();
     grading.limits.bubblewrap = sandbox.bubblewrap;
     if (!sandbox.missing.empty()) {
@@ -157,8 +165,9 @@ void print_seed(const GradeOptions& options, const Words& say) {
 
 int grade_one(const GradeOptions& options, const Grading& grading) {
     const Words& say = grading.say;
+    const bool can_run = options.handed_in() == HandedIn::program;
     ProgramGrade grade;
-    if (is_trace(options.program)) {
+    if (!can_run) {
         LineReader lines(options.program);
         std::string text;
         for (std::string line; lines.next(line);) text += line + '\n';
@@ -169,11 +178,11 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
         grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
     }
     if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
-    if (!is_trace(options.program)) print_seed(options, say);
+    if (can_run) print_seed(options, say);
     std::cout << report_of(grade, grading);
     if (grade.wrong() == 0) return grade.right() ? 0 : 1;
     SceneGrade shown = *grade.first_wrong();
-    if (!is_trace(options.program) && !options.first && shown.run.header) {
+    if (can_run && !options.first && shown.run.header) {
         shown = smallest_of(options.program, grade, grading, {});
         std::cout << report_of_smallest(shown, grading);
     }
@@ -250,7 +259,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
 }
 
 int grade(const GradeOptions& options) {
-    const bool is_folder = std::filesystem::is_directory(options.program);
+    const bool is_folder = options.handed_in() == HandedIn::folder;
     if (is_folder && !options.output.ends_with(".csv") && !options.output.ends_with(".json"))
         throw Refused(options.program + " is a folder, so -o must name a table, .csv or .json");
     if (!is_folder && !options.output.empty() && !options.output.ends_with(".html"))
