@@ -245,7 +245,7 @@ TEST_CASE("Failures: the step at which a pixel is seen is the one that paints it
              {{"warnock", "fill"}, {"zbuffer", "span"}, {"weiler-atherton", "paint"}})) {
         Failure failure;
         failure.scene = scene;
-        failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        failure.fails = failure.holds = {method, kernel_of(KernelKind::exact), Edition::corrected};
         CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(8, 8);
         const SeenFailure found = seen(failure);
@@ -269,7 +269,7 @@ TEST_CASE(
          std::to_array<std::pair<std::string, bool>>({{"warnock", true}, {"zbuffer", false}})) {
         Failure failure;
         failure.scene = scene;
-        failure.fails = failure.holds = {method, exact_kernel(), Edition::corrected};
+        failure.fails = failure.holds = {method, kernel_of(KernelKind::exact), Edition::corrected};
         CAPTURE(failure.fails.method);
         failure.shows.pixel = std::pair(1, 1);
         const SeenFailure found = seen(failure);

@@ -167,7 +167,7 @@ TEST_CASE("exercises: slopes and depths that are computed are short, although th
         CAPTURE(file);
         const auto digits_of = [&, by = method](const AdmittedScene& scene) {
             Digits digits;
-            run({by, exact_kernel(), Edition::corrected, scene, Detail::signs, &digits});
+            run({by, kernel_of(KernelKind::exact), Edition::corrected, scene, Detail::signs, &digits});
             return digits;
         };
         const AdmittedScene original = read(file);

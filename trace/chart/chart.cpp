@@ -67,7 +67,8 @@ std::vector<Way> larger_windows(const Scene& scene) {
     std::vector<Way> ways;
     const auto largest = int(covering_square(scene.area).width);
     for (int side = 2; side <= largest; side *= 2) {
-        ways.push_back({Method::warnock, *kernel_named("double"), Edition::corrected, side, Knob::window, side});
+        ways.push_back(
+            {Method::warnock, kernel_of(KernelKind::binary64), Edition::corrected, side, Knob::window, side});
     }
     return ways;
 }

@@ -90,7 +90,7 @@ class FunctionExaminer {
 public:
     explicit FunctionExaminer(const Function& function)
         : dense_(admit(CurveScene{function.area, sampled(on_each_column(function.surface))})),
-          drawn_(columns_drawn(run({*kernel_named("filtered"), Edition::corrected, dense_}), dense_)) {}
+          drawn_(columns_drawn(run({kernel_of(KernelKind::filtered), Edition::corrected, dense_}), dense_)) {}
 
     const AdmittedCurves& dense() const { return dense_; }
 

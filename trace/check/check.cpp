@@ -42,7 +42,7 @@ private:
 }  // namespace
 
 Picture right_picture(const AdmittedScene& scene, Method method) {
-    return run({reference_of(method), exact_kernel(), Edition::corrected, scene});
+    return run({reference_of(method), kernel_of(KernelKind::exact), Edition::corrected, scene});
 }
 
 CheckReport check_run(const RunRequest& request, const Picture& right, const HearEvent& hear, FindingList* findings) {
@@ -64,7 +64,7 @@ FloatingHorizonCheckReport check_run(const FloatingHorizonRequest& request, cons
     judged.detail = Detail::signs;
     judged.sink = &report.sink();
     DrawnLines lines = told_floating_horizon(judged, report.followers());
-    const FloatingHorizonRequest exactly{exact_kernel(), Edition::corrected, request.scene};
+    const FloatingHorizonRequest exactly{kernel_of(KernelKind::exact), Edition::corrected, request.scene};
     const auto wrong =
         different_columns(columns_drawn(lines, request.scene), columns_drawn(run(exactly), request.scene));
     return {report.decisions(), std::move(lines), column_count(request.scene), wrong};

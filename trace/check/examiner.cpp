@@ -39,7 +39,7 @@ namespace {
 
 /// The right picture, by `filtered`, since `exact` would take longer.
 Picture picture_of(const AdmittedScene& scene) {
-    return run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
+    return run({Method::zbuffer, kernel_of(KernelKind::filtered), Edition::corrected, scene});
 }
 
 /// The operation that an event reports; most report none.

@@ -28,7 +28,7 @@ private:
 
 RunRequest exactly(const RunRequest& request, EventSink& sink) {
     RunRequest exact = request;
-    exact.kernel = exact_kernel();
+    exact.kernel = kernel_of(KernelKind::exact);
     exact.sink = &sink;
     exact.regions = nullptr;
     return exact;

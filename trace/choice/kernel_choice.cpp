@@ -36,7 +36,7 @@ std::optional<NamedKernel> kernel_named(std::string_view name) {
     return NamedKernel{choice, *parameter};
 }
 
-NamedKernel exact_kernel() { return {&kernel_choices[std::size_t(KernelKind::exact)]}; }
+NamedKernel kernel_of(KernelKind kind) { return kernel_named(kernel_choices[std::size_t(kind)].name).value(); }
 
 std::string kernel_names() {
     std::string names;

@@ -32,7 +32,7 @@ struct Candidate {
 /// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene. Methods that do
 /// more than paint are left out.
 std::vector<Candidate> candidates_for(const AdmittedScene& scene) {
-    const NamedKernel grid = *kernel_named("grid");
+    const NamedKernel grid = kernel_of(KernelKind::grid);
     std::optional<AdmittedScene> on_grid;
     if (fits_grid(scene, grid.parameter)) on_grid = snapped_scene(scene, grid.parameter).scene;
     std::vector<Candidate> candidates;
@@ -61,7 +61,7 @@ std::uint64_t sum_of(const auto& counts) {
 /// Confirms that the picture is right: compares each decision of the run under `filtered` with exact arithmetic. False if one was not
 /// confirmed.
 bool print_certificate(const Candidate& chosen, const AdmittedScene& scene) {
-    const RunRequest filtered{chosen.method, *kernel_named("filtered"), Edition::corrected, scene};
+    const RunRequest filtered{chosen.method, kernel_of(KernelKind::filtered), Edition::corrected, scene};
     const CheckReport certain = check_run(filtered, right_picture(scene));
     const auto& by = certain.decided_by;
     std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
@@ -78,7 +78,7 @@ bool print_certificate(const Candidate& chosen, const AdmittedScene& scene) {
 int choose(const ChooseOptions& options) {
     const AdmittedScene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
-    const Picture right = run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
+    const Picture right = run({Method::zbuffer, kernel_of(KernelKind::filtered), Edition::corrected, scene});
     std::vector<std::function<void()>> runs;
     for (auto& candidate : candidates) {
         candidate.wrong_pixels = different_pixels(run(candidate.request()), right);

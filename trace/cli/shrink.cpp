@@ -34,7 +34,8 @@ public:
     }
 
     bool wrong_picture(const AdmittedScene& scene) const {
-        return picture(scene) != run({reference_of(method_), *kernel_named("filtered"), Edition::corrected, scene});
+        return picture(scene) !=
+               run({reference_of(method_), kernel_of(KernelKind::filtered), Edition::corrected, scene});
     }
     bool reaches(const std::string& label, const AdmittedScene& scene) const {
         std::string text;

@@ -10,7 +10,8 @@ WorkedCurves::WorkedCurves(const Surface& surface)
         end_.take(event);
         event.visit([this](const auto& e) { hear(e); });
     });
-    FloatingHorizonRequest request{exact_kernel(), Edition::corrected, header_.scene.curves, Detail::signs};
+    FloatingHorizonRequest request{kernel_of(KernelKind::exact), Edition::corrected, header_.scene.curves,
+                                   Detail::signs};
     request.sink = &sink;
     run(request);
 }

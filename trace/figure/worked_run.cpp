@@ -9,7 +9,7 @@ WorkedRun::WorkedRun(const AdmittedScene& scene, Method method)
     : header_{method, Edition::corrected, "exact", Detail::signs, scene}, start_(header_), end_(header_) {
     std::string text;
     TraceWriter writer(header_, [&](std::string_view part) { text += part; });
-    RunRequest request{method, exact_kernel(), Edition::corrected, scene, Detail::signs};
+    RunRequest request{method, kernel_of(KernelKind::exact), Edition::corrected, scene, Detail::signs};
     request.sink = &writer;
     writer.finish(run(request));
     TraceReader reader(LineReader::of_text(std::move(text)), scene->name);

@@ -38,11 +38,11 @@ Judgement judgement_of(Deviation deviation, const AnyHeader& of, const Kinds& ki
     const auto* curves = std::get_if<FloatingHorizonHeader>(&of);
     const auto* polygons = std::get_if<TraceHeader>(&of);
     // The mistakes run in `double` alone.
-    const NamedKernel single = *kernel_named("float");
+    const NamedKernel single = kernel_of(KernelKind::binary32);
     const bool in_single =
         precision == Precision::single &&
         (curves ? single.choice->runs_floating_horizon(deviation) : single.choice->runs(polygons->method, deviation));
-    const NamedKernel kernel = in_single ? single : *kernel_named("double");
+    const NamedKernel kernel = in_single ? single : kernel_of(KernelKind::binary64);
     // Level `windows` has no call stack, so the state accepts events without their calls.
     if (curves) {
         run(FloatingHorizonRequest{kernel, deviation, curves->scene.curves, Detail::signs, &filter});

@@ -104,7 +104,8 @@ bool is_about(std::uint64_t count, std::uint64_t other, std::uint64_t part) {
 
 ProfiledRun profiled_run(const AdmittedScene& scene, Method method) {
     Profiler profiler(scene);
-    Picture picture = run({method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &profiler});
+    Picture picture =
+        run({method, kernel_of(KernelKind::filtered), Edition::corrected, scene, Detail::signs, &profiler});
     return {profiler.profile(picture), std::move(picture), profiler.long_numbers()};
 }
 

@@ -26,7 +26,7 @@ struct LessonRun {
     InEachLanguage<std::string> title{};  // what it shows; may be empty
     std::string scene = "scene.json";     // a file of the lesson's folder, or a mesh
     std::string method;
-    std::string kernel = "double";
+    NamedKernel kernel = kernel_of(KernelKind::binary64);
     Edition edition = Edition::corrected;
     Detail detail = Detail::signs;
     bool check = false;

@@ -42,10 +42,7 @@ std::vector<std::string_view> lesson_methods() {
 /// A name, by its index among the allowed ones.
 std::size_t choice(const JsonNode& node, std::string_view key, const auto& names, std::size_t otherwise = 0) {
     if (!node.has(key)) return otherwise;
-    const std::string& name = node.at(key).text();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) node.at(key).refuse(name + ": does not exist");
-    return std::size_t(found - names.begin());
+    return node.at(key).place_among(names, node.at(key).text() + ": does not exist");
 }
 
 /// Reads lesson.json.
@@ -152,8 +149,8 @@ private:
         run.method = methods[choice(node, "method", methods)];
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
         if (node.has("edition")) run.edition = read_edition(node.at("edition"));
-        if (node.has("kernel")) run.kernel = read_kernel(node.at("kernel")).name();
-        const KernelChoice& kernel = *kernel_named(run.kernel)->choice;
+        if (node.has("kernel")) run.kernel = read_kernel(node.at("kernel"));
+        const KernelChoice& kernel = *run.kernel.choice;
         const bool runs =
             run.of_curves() ? kernel.runs_floating_horizon(run.edition) : kernel.runs(method_of(run), run.edition);
         if (!runs) node.refuse(std::string(kernel.name) + " does not run this method in this edition");

@@ -40,15 +40,13 @@ void write_request(const auto& request, TraceWriter& writer, const LessonRun& ru
 }
 
 void trace_scene(const AdmittedScene& scene, const LessonRun& run, const TraceWriter::Write& write) {
-    const NamedKernel kernel = *kernel_named(run.kernel);
-    const AdmittedScene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
-    TraceWriter writer(TraceHeader{method_of(run), run.edition, kernel.name(), run.detail, ran}, write);
-    write_request(RunRequest{method_of(run), kernel, run.edition, ran, run.detail}, writer, run);
+    const AdmittedScene ran = run.kernel.snaps() ? snapped_scene(scene, run.kernel.parameter).scene : scene;
+    TraceWriter writer(TraceHeader{method_of(run), run.edition, run.kernel.name(), run.detail, ran}, write);
+    write_request(RunRequest{method_of(run), run.kernel, run.edition, ran, run.detail}, writer, run);
 }
 void trace_scene(const Surface& surface, const LessonRun& run, const TraceWriter::Write& write) {
-    const NamedKernel kernel = *kernel_named(run.kernel);
-    TraceWriter writer(FloatingHorizonHeader{run.edition, kernel.name(), run.detail, surface}, write);
-    write_request(FloatingHorizonRequest{kernel, run.edition, surface.curves, run.detail}, writer, run);
+    TraceWriter writer(FloatingHorizonHeader{run.edition, run.kernel.name(), run.detail, surface}, write);
+    write_request(FloatingHorizonRequest{run.kernel, run.edition, surface.curves, run.detail}, writer, run);
 }
 
 }  // namespace
@@ -65,7 +63,7 @@ std::string LessonRun::other_scene() const {
 std::string LessonRun::trace_file(const std::string& lesson) const {
     std::string file = lesson + (other_scene().empty() ? "" : '.' + other_scene());
     for (const std::string& part :
-         {std::string(method), kernel, name_of(edition), std::string(detail_names[std::size_t(detail)])}) {
+         {method, kernel.name(), name_of(edition), std::string(detail_names[std::size_t(detail)])}) {
         file += '.' + part;
     }
     std::replace(file.begin(), file.end(), ':', '-');

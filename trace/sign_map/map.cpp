@@ -98,7 +98,7 @@ SignMap sign_map(const MappedDecision& decision, const NamedKernel& named, int s
             return SignMap{decision.name, asked.decision, asked.answers, named.name(), side, {}};
         },
         decision.asked);
-    const auto exact = answers_under(RunTimeKernel(exact_kernel(), {}), decision, side);
+    const auto exact = answers_under(RunTimeKernel(kernel_of(KernelKind::exact), {}), decision, side);
     const auto computed = named.kind() == KernelKind::filtered
                               ? answers_under(Filtered{}, decision, side)
                               : answers_under(RunTimeKernel(named, {}), decision, side);

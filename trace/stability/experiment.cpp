@@ -152,7 +152,7 @@ Pictures pictures_of(const Series& series, Method method, const NamedKernel& ker
 }
 
 Pictures exact_pictures_of(const Series& series, Method method) {
-    return pictures_of(series, reference_of(method), *kernel_named("exact"));
+    return pictures_of(series, reference_of(method), kernel_of(KernelKind::exact));
 }
 
 /// The colours at the centres of the family's area: in a picture k times as large, every k-th pixel of every k-th row.

@@ -153,7 +153,7 @@ private:
              with(std::to_string(knob.needed - 1), knob.one_lower));
     }
 
-    const NamedKernel filtered_ = *kernel_named("filtered");
+    const NamedKernel filtered_ = kernel_of(KernelKind::filtered);
     const AdmittedScene& scene_;
     const std::function<void()>& progress_;
     Picture right_;

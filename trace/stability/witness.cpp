@@ -21,7 +21,7 @@ using WrongPlace = std::pair<int, int>;
 std::optional<WrongPlace> wrong_pixel(const AdmittedScene& scene, Method method, const NamedKernel& kernel) {
     if (refusal_of(method, scene)) return std::nullopt;
     const Picture painted = run({method, kernel, Edition::corrected, scene});
-    const Picture right = run({reference_of(method), *kernel_named("filtered"), Edition::corrected, scene});
+    const Picture right = run({reference_of(method), kernel_of(KernelKind::filtered), Edition::corrected, scene});
     const Area& area = scene->area;
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
@@ -35,7 +35,7 @@ std::optional<WrongPlace> wrong_column(const AdmittedCurves& scene, const NamedK
     const auto drawn = [&](const NamedKernel& by) {
         return columns_drawn(run(FloatingHorizonRequest{by, Edition::corrected, scene}), scene);
     };
-    const ColumnsDrawn taken = drawn(kernel), right = drawn(*kernel_named("filtered"));
+    const ColumnsDrawn taken = drawn(kernel), right = drawn(kernel_of(KernelKind::filtered));
     for (std::size_t curve = 0; curve < taken.size(); ++curve) {
         const auto [is, should] = std::mismatch(taken[curve].begin(), taken[curve].end(), right[curve].begin());
         if (is == taken[curve].end()) continue;

@@ -62,7 +62,7 @@ BuiltLesson built_lesson(const std::string& folder, Answers answers, Problems& p
         made.traces.emplace_back(file, std::move(texts[run.name]));
         Json trace{{"file", file},
                    {"method", run.method},
-                   {"kernel", run.kernel},
+                   {"kernel", run.kernel.name()},
                    {"edition", name_of(run.edition)},
                    {"detail", detail_names[std::size_t(run.detail)]}};
         const Json title = title_of(lesson, run);
