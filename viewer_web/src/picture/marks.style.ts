@@ -20,6 +20,10 @@ export const marksStyle = css`
     stroke-width: 5;
     stroke-opacity: 0.85;
   }
+  .tree,
+  .way {
+    stroke-linecap: square; /* the corners of boxes, which are drawn as lines */
+  }
   .tree {
     stroke: #10131c;
     stroke-width: 1;

@@ -42,9 +42,48 @@ const known = new WeakMap<readonly Box[], string>();
 
 /** The path data of boxes, cached: there may be thousands, and most steps do not change them. */
 function boxesData(boxes: readonly Box[]): string {
-  const d = known.get(boxes) ?? boxes.map(boxData).join('');
+  const d = known.get(boxes) ?? sidesData(boxes);
   known.set(boxes, d);
   return d;
+}
+
+type Part = readonly [from: number, to: number];
+
+/** Parts of lines, by the coordinate that all points of a line share. */
+class Lines {
+  private readonly parts = new Map<number, Part[]>();
+
+  add(line: number, ...part: Part): void {
+    const parts = this.parts.get(line);
+    if (parts === undefined) this.parts.set(line, [part]);
+    else parts.push(part);
+  }
+
+  /** The parts, joined where they overlap or touch. */
+  joined(): readonly (readonly [line: number, ...Part])[] {
+    return [...this.parts].flatMap(([line, parts]) => {
+      const found: [line: number, ...Part][] = [];
+      for (const [from, to] of parts.sort(([a], [b]) => a - b)) {
+        const last = found.at(-1);
+        if (last === undefined || from > last[2]) found.push([line, from, to]);
+        else last[2] = Math.max(last[2], to);
+      }
+      return found;
+    });
+  }
+}
+
+/** The path data of the sides of boxes. Each line is there once, because drawing the sides of each box takes several times as long. */
+export function sidesData(boxes: readonly Box[]): string {
+  const rows = new Lines();
+  const columns = new Lines();
+  for (const [x, y, width, height] of boxes) {
+    for (const side of [y, y + height]) rows.add(side, x, x + width);
+    for (const side of [x, x + width]) columns.add(side, y, y + height);
+  }
+  const across = rows.joined().map(([y, from, to]) => `M${from} ${y}H${to}`);
+  const down = columns.joined().map(([x, from, to]) => `M${x} ${from}V${to}`);
+  return [...across, ...down].join('');
 }
 
 /** The outline of a pixel, and lines towards it. */
