@@ -3,6 +3,22 @@ import { browser } from './browser.js';
 import { edit, editing, handle, rerun, run, spotOf, title, triangle } from './live.js';
 import { open } from './page.js';
 
+type Noted = Window & { isFollowed: Promise<boolean> };
+
+/** Runs in the page: notes whether the next move of the pointer is followed by another run in the same frame. */
+function noteNextMove(): void {
+  const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+  const before = player?.trace;
+  const isFollowed = new Promise<boolean>((resolve) => {
+    const onMove = (): number =>
+      requestAnimationFrame(() => {
+        resolve(player?.trace !== before);
+      });
+    window.addEventListener('pointermove', onMove, { capture: true, once: true });
+  });
+  Object.assign(window, { isFollowed });
+}
+
 describe('the library in the page', () => {
   it.each([
     '02-corner-depths.warnock.double.corrected.signs',
@@ -54,6 +70,29 @@ describe('a corner', () => {
     expect(undone.polygons[0]?.vertices).toEqual(triangle.vertices);
     const redone = await rerun(page, () => page.keyboard.press('Control+y'));
     expect(redone.polygons[0]?.vertices[1]).toEqual([7.5, 3.25, 0]);
+    expect(faults).toEqual([]);
+  });
+
+  it('is followed in the frame of its move while runs are quick, with the same lines as otherwise', async () => {
+    const { page, faults } = await editing(browser);
+    const from = await spotOf(page, 6, 1);
+    const places = await Promise.all([6.5, 7, 7.5].map((x) => spotOf(page, x, 2)));
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    // The first runs, which show that these are quick, are made elsewhere.
+    for (let i = 1, isFollowed = false; !isFollowed; i++) {
+      expect(i).toBeLessThan(100);
+      await page.evaluate(noteNextMove);
+      const { x, y } = places[i % places.length] ?? from;
+      await rerun(page, () => page.mouse.move(x, y));
+      isFollowed = await page.evaluate(() => (window as unknown as Noted).isFollowed);
+    }
+    await page.mouse.up();
+    const { lines } = await run(page);
+    expect(lines.length).toBeGreaterThan(100);
+    const detail = page.locator('vidno-run-form select[name=detail]');
+    await rerun(page, () => detail.selectOption('windows'));
+    expect((await rerun(page, () => detail.selectOption('signs'))).lines).toEqual(lines);
     expect(faults).toEqual([]);
   });
 

@@ -99,8 +99,7 @@ export class Editor {
     if (this.undo.depth > depth && act.do !== 'redo') this.followers.began();
     if (this.undo.value === before && this.options === options) {
       this.followers.changed(this.editing);
-    } else {
-      this.run();
+    } else if (!this.run(act.do === 'edit' && act.name !== undefined)) {
       this.tellSoon();
     }
   }
@@ -181,9 +180,16 @@ export class Editor {
     this.drawn = null;
   }
 
-  private run(): void {
+  /**
+   * Runs the scene and returns whether the run was reported. A steady change is one of many small ones, such as those of a
+   * drag.
+   */
+  private run(isSteady: boolean): boolean {
     this.adopts = null;
-    this.tracer.run(this.undo.value, this.options);
+    const { value } = this.undo;
+    if (isSteady && this.tracer.runAtOnce(value, this.options)) return true;
+    this.tracer.run(value, this.options);
+    return false;
   }
 
   private take(trace: Trace | null, messages: string): void {

@@ -1,7 +1,6 @@
 import { sha256 } from '@noble/hashes/sha2';
 import { Instance } from '../replay/instance.js';
 import type { Basics, LinesFound } from '../replay/instance.js';
-import { FormulaRefused, heightFunction } from './height-function.js';
 import type { HeightFunction } from './height-function.js';
 
 /** The exports of vidno.wasm; `trace/wasm/live.cpp` documents them. */
@@ -27,14 +26,22 @@ export interface Outcome<T> {
   readonly made: T | null;
   /** Why it was refused, or notes about the scene, one per line. */
   readonly messages: string;
+  /** How long it took. */
+  readonly milliseconds: number;
 }
+
+/** Parses the function of a surface, or gives the reason for refusal. */
+export type ReadFormula = (text: string) => HeightFunction | string;
 
 /** Makes traces, byte for byte those of the program, and sign maps. */
 export class Library {
   private readonly instance: Instance<Exports>;
   private height: HeightFunction = () => NaN;
 
-  constructor(module: WebAssembly.Module) {
+  constructor(
+    module: WebAssembly.Module,
+    private readonly readFormula: ReadFormula,
+  ) {
     this.instance = new Instance<Exports>(module, {
       sha256: (at: number, size: number, to: number): void =>
         this.instance.bytes(to, 32).set(sha256(this.instance.bytes(at, size))),
@@ -80,21 +87,24 @@ export class Library {
   private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {
     const { instance } = this;
     instance.ask(new TextEncoder().encode(request));
+    const start = performance.now();
     const isMade = make() !== 0;
+    const milliseconds = performance.now() - start;
     const { messages, messages_size } = instance.exports;
-    return { made: isMade ? take() : null, messages: instance.text(messages(), messages_size()) };
+    return {
+      made: isMade ? take() : null,
+      messages: instance.text(messages(), messages_size()),
+      milliseconds,
+    };
   }
 
   /**
    * Parses a function for the next surface, or writes the reason for refusal. Returns the length of the reason in bytes.
    */
   private take(text: string, reason: Uint8Array): number {
-    try {
-      this.height = heightFunction(text, Math);
-      return 0;
-    } catch (error) {
-      if (!(error instanceof FormulaRefused)) throw error;
-      return new TextEncoder().encodeInto(error.message, reason).written;
-    }
+    const found = this.readFormula(text);
+    if (typeof found === 'string') return new TextEncoder().encodeInto(found, reason).written;
+    this.height = found;
+    return 0;
   }
 }

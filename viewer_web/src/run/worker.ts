@@ -1,19 +1,13 @@
-import { parseHeader } from '../trace/header.js';
-import type { Header } from '../trace/header.js';
-import { parseJson, parseLine } from '../trace/parse.js';
-import type { End } from '../trace/parse.js';
-import type { Block } from '../trace/store.js';
-import { writtenOf } from './block.js';
+import { FormulaRefused, heightFunction } from './height-function.js';
+import type { HeightFunction } from './height-function.js';
 import { Library } from './library.js';
-import type { MadeTrace, Outcome } from './library.js';
+import type { Outcome } from './library.js';
+import { readMade } from './made.js';
+import type { Made } from './made.js';
 
 /** The results that the library makes for the page. */
 export interface Makes {
-  readonly trace: {
-    readonly header: Header;
-    readonly blocks: readonly Block[];
-    readonly end: End;
-  };
+  readonly trace: Made;
   readonly map: string;
   readonly findings: string;
   readonly margin: string;
@@ -38,17 +32,18 @@ const scope = globalThis as unknown as Scope;
 
 let library: Library | null = null;
 
-function read(trace: MadeTrace): Makes['trace'] {
-  const { header: first, blocks, end: last } = writtenOf(trace);
-  const header = parseHeader(parseJson(first));
-  const line = parseLine(last, header);
-  if (!('end' in line)) throw new Error('the trace has no end');
-  return { header, blocks, end: line.end };
+function readFormula(text: string): HeightFunction | string {
+  try {
+    return heightFunction(text, Math);
+  } catch (error) {
+    if (!(error instanceof FormulaRefused)) throw error;
+    return error.message;
+  }
 }
 
 scope.onmessage = ({ data }) => {
   if ('library' in data) {
-    library = new Library(data.library);
+    library = new Library(data.library, readFormula);
     return;
   }
   if (library === null) throw new Error('no library yet');
@@ -57,8 +52,9 @@ scope.onmessage = ({ data }) => {
     scope.postMessage({ turn, ...library[what](request) }, []);
     return;
   }
-  const { made, messages } = library.run(request);
+  const outcome = library.run(request);
+  const { made } = outcome;
   // The bytes, which all blocks share, are transferred and not copied.
   const given = made === null ? [] : [made.bytes.buffer];
-  scope.postMessage({ turn, messages, made: made && read(made) }, given);
+  scope.postMessage({ turn, ...outcome, made: made && readMade(made) }, given);
 };
