@@ -3,9 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
-#include <limits>
 #include <random>
+#include <string>
 
 using vidno::ExactNumber;
 using vidno::Rational;
@@ -23,7 +24,7 @@ double any_double(std::mt19937& random) {
 
 std::string text(const Rational& value) { return vidno::Exact::fraction(value); }
 
-/// The result as a fraction, by way of doubles where they suffice, and whether they did.
+/// Compares a result, and its double if it has one, with that of rationals.
 void check_result(double a, double b, auto operation) {
     const Rational right = operation(Rational(a), Rational(b));
     const ExactNumber found = ExactNumber::result(ExactNumber(a), ExactNumber(b), operation);
@@ -71,14 +72,46 @@ TEST_CASE("Exact numbers: a result that was rounded, or may have been, is a rati
     CHECK_FALSE(needs_no_rational(0x1p-537, 0x1p-537, std::multiplies<>()));  // 2^-1074 is the least double
 }
 
-TEST_CASE("Exact numbers: a chain of results may leave the doubles and return") {
-    const ExactNumber third = ExactNumber::result(ExactNumber(1.0), ExactNumber(3.0), std::divides<>());
-    const ExactNumber one = ExactNumber::result(third, ExactNumber(3.0), std::multiplies<>());
-    CHECK(third.fraction() == "1/3");
-    CHECK((-third).fraction() == "-1/3");
-    CHECK(one.fraction() == "1/1");
+TEST_CASE("Exact numbers: chains of results are those of rationals") {
+    std::mt19937 random(2);
+    for (int chain = 0; chain < 5000; ++chain) {
+        ExactNumber found(double(int(random() % 200) - 100));
+        Rational right = found.rational();
+        for (int i = 0; i < 8; ++i) {
+            const double number = random() % 8 == 0 ? any_double(random) : std::ldexp(int(random() % 100) - 50, -2);
+            const ExactNumber operand(number);
+            const auto apply = [&](auto operation) {
+                found = ExactNumber::result(found, operand, operation);
+                right = operation(right, Rational(number));
+            };
+            switch (random() % 4) {
+                case 0: apply(std::plus<>()); break;
+                case 1: apply(std::minus<>()); break;
+                case 2: apply(std::multiplies<>()); break;
+                default:
+                    if (number != 0) apply(std::divides<>());
+            }
+            CHECK(found.fraction() == text(right));
+            CHECK(text((-found).rational()) == text(-right));
+            CHECK(int(found.sign()) == int(CGAL::sign(right)));
+            CHECK(ExactNumber::related(found, operand, std::less<>()) == (right < Rational(number)));
+            CHECK(double(found) == CGAL::to_double(right));
+        }
+    }
+}
+
+TEST_CASE("Exact numbers: quotients are compared and written exactly") {
+    const ExactNumber third = ExactNumber::result(ExactNumber(1.0), ExactNumber(-3.0), std::divides<>());
+    const ExactNumber one = ExactNumber::result(third, ExactNumber(-3.0), std::multiplies<>());
+    CHECK(third.fraction() == "-1/3");
+    CHECK((-third).fraction() == "1/3");
+    CHECK(third.sign() == vidno::Sign::negative);
+    CHECK(one.as_double() == 1);
     CHECK(ExactNumber::related(one, ExactNumber(1.0), std::equal_to<>()));
-    CHECK(ExactNumber::related(third, ExactNumber(1.0 / 3), std::greater<>()));  // the double is less than a third
+    CHECK(ExactNumber::related(-third, ExactNumber(1.0 / 3), std::greater<>()));  // the double is less than a third
+    CHECK(ExactNumber::result(third, third, std::plus<>()).fraction() == "-2/3");
+    CHECK(ExactNumber::result(ExactNumber(6.0), ExactNumber(0x1p70), std::divides<>()).fraction() ==
+          "3/590295810358705651712");
 }
 
 TEST_CASE("Exact numbers: fractions of doubles") {

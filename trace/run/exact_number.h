@@ -1,7 +1,8 @@
-/// ExactNumber: an exact number of a run, a double for as long as one holds it.
+/// ExactNumber: an exact number of a run, a quotient of doubles for as long as these hold it.
 ///
-/// Most numbers of most scenes are doubles with few digits, and so are their sums and products. For them an operation on doubles gives
-/// the exact result, and shows that it does. Otherwise the result is a rational, which takes memory and a greatest common divisor.
+/// Most coordinates are doubles with few digits, and so are their sums and products; most depths are quotients of these. For them an
+/// operation on doubles gives the exact result, and shows that it does. Otherwise the result is a rational, which takes memory and a
+/// greatest common divisor.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,22 +22,44 @@
 
 namespace vidno {
 
-/// A double as a fraction.
-inline Fraction fraction_of(double value) {
-    if (!std::isfinite(value)) return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
+/// A finite double as odd * 2^power; 0 as 0 * 2^0.
+struct Dyadic {
+    std::int64_t odd;
+    int power;
+};
+inline Dyadic dyadic(double value) {
     constexpr int digits = std::numeric_limits<double>::digits;
     int exponent = 0;
     const auto significand = std::int64_t(std::ldexp(std::frexp(value, &exponent), digits));
-    if (significand == 0) return {"0/1"};
+    if (significand == 0) return {0, 0};
     const int zeros = std::countr_zero(std::uint64_t(significand));
-    const std::int64_t odd = significand >> zeros;
-    const int power = exponent - digits + zeros;  // the value is odd * 2^power
+    return {significand >> zeros, exponent - digits + zeros};
+}
+
+/// value * 2^power; none if it is no word.
+inline std::optional<std::int64_t> shifted(std::int64_t value, int power) {
+    const auto magnitude = std::uint64_t(value < 0 ? -value : value);
+    if (power > std::numeric_limits<std::int64_t>::digits - int(std::bit_width(magnitude))) return std::nullopt;
+    return value * (std::int64_t{1} << power);
+}
+
+/// The quotient of two finite doubles, the second positive, as "p/q" in lowest terms.
+inline std::string quotient_text(double over, double under) {
     // A judged run writes each number that it uses. Nearly all of them are quotients of two words, which need no rationals.
-    constexpr int most = std::numeric_limits<std::int64_t>::digits;
-    if (exponent > most || power <= -most) return {Exact::fraction(Rational(value))};
-    const std::int64_t numerator = odd * (std::int64_t{1} << std::max(power, 0));
-    const std::int64_t denominator = std::int64_t{1} << std::max(-power, 0);
-    return {std::to_string(numerator) + '/' + std::to_string(denominator)};
+    const auto [p, p_power] = dyadic(over);
+    const auto [q, q_power] = dyadic(under);
+    const std::int64_t divisor = q == 1 ? 1 : std::gcd(p, q);
+    const int power = p == 0 ? 0 : p_power - q_power;
+    const auto numerator = shifted(p / divisor, std::max(power, 0));
+    const auto denominator = shifted(q / divisor, std::max(-power, 0));
+    if (!numerator || !denominator) return Exact::fraction(Rational(over) / Rational(under));
+    return std::to_string(*numerator) + '/' + std::to_string(*denominator);
+}
+
+/// A double as a fraction.
+inline Fraction fraction_of(double value) {
+    if (!std::isfinite(value)) return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
+    return {quotient_text(value, 1)};
 }
 
 /// The result of an operation on doubles if no rounding was needed; none if it was, or if the doubles cannot tell.
@@ -77,49 +101,62 @@ public:
     /// No number.
     ExactNumber() = default;
     /// The value must be finite. -0 becomes 0, since rationals have no other.
-    explicit ExactNumber(double value) : double_(value + 0.0) {}
+    explicit ExactNumber(double value) : ExactNumber(value, 1) {}
     explicit ExactNumber(Rational value) : shared_(std::make_shared<Shared>(std::move(value))) {}
 
-    explicit operator bool() const { return shared_ || !std::isnan(double_); }
+    explicit operator bool() const { return shared_ || !std::isnan(over_); }
 
-    /// The number as a double if one holds it and this is known.
-    std::optional<double> as_double() const { return shared_ ? std::nullopt : std::optional(double_); }
-    Rational rational() const { return shared_ ? shared_->value : Rational(double_); }
+    /// The number as a double; none if it is stored otherwise.
+    std::optional<double> as_double() const { return shared_ || under_ != 1 ? std::nullopt : std::optional(over_); }
+    Rational rational() const {
+        if (shared_) return shared_->value;
+        return under_ == 1 ? Rational(over_) : Rational(Rational(over_) / Rational(under_));
+    }
 
     /// The nearest double or one next to it.
-    explicit operator double() const { return shared_ ? CGAL::to_double(shared_->value) : double_; }
+    explicit operator double() const {
+        const auto value = as_double();
+        return value ? *value : CGAL::to_double(rational());
+    }
     Sign sign() const {
-        return shared_ ? Sign{int(CGAL::sign(shared_->value))} : Sign{int(double_ > 0) - int(double_ < 0)};
+        return shared_ ? Sign{int(CGAL::sign(shared_->value))} : Sign{int(over_ > 0) - int(over_ < 0)};
     }
     int whole_part(int low, int end) const {
-        return shared_ ? vidno::whole_part(shared_->value, low, end) : vidno::whole_part(double_, low, end);
+        const auto value = as_double();
+        return value ? vidno::whole_part(*value, low, end) : vidno::whole_part(rational(), low, end);
     }
 
     /// "p/q" in lowest terms, q > 0. The text of a rational is written once.
     std::string fraction() const {
-        if (!shared_) return fraction_of(double_).text;
+        if (!shared_) return quotient_text(over_, under_);
         if (shared_->fraction.empty()) shared_->fraction = Exact::fraction(shared_->value);
         return shared_->fraction;
     }
 
     friend ExactNumber operator-(const ExactNumber& a) {
-        return a.shared_ ? ExactNumber(Rational(-a.shared_->value)) : ExactNumber(-a.double_);
+        return a.shared_ ? ExactNumber(Rational(-a.shared_->value)) : ExactNumber(-a.over_, a.under_);
     }
 
     /// The result of std::plus, minus, multiplies or divides. A divisor must not be 0.
     static ExactNumber result(const ExactNumber& a, const ExactNumber& b, auto operation) {
         if (!a.shared_ && !b.shared_) {
-            if (const auto exact = unrounded::result(operation, a.double_, b.double_)) return ExactNumber(*exact);
+            if (ExactNumber found = of_doubles(a, b, operation)) return found;
         }
         return as_rationals(a, b, [&](const auto& p, const auto& q) { return ExactNumber(Rational(operation(p, q))); });
     }
     /// Whether std::less, equal_to or another relation holds.
     static bool related(const ExactNumber& a, const ExactNumber& b, auto relation) {
-        if (!a.shared_ && !b.shared_) return relation(a.double_, b.double_);
+        if (!a.shared_ && !b.shared_) {
+            if (a.under_ == b.under_) return relation(a.over_, b.over_);
+            const auto left = product(a.over_, b.under_), right = product(b.over_, a.under_);
+            if (left && right) return relation(*left, *right);
+        }
         return as_rationals(a, b, [&](const auto& p, const auto& q) -> bool { return relation(p, q); });
     }
 
 private:
+    using MaybeDouble = std::optional<double>;
+
     /// Most numbers are copied more often than computed with.
     struct Shared {
         explicit Shared(Rational given) : value(std::move(given)) {}
@@ -127,13 +164,41 @@ private:
         std::string fraction{};
     };
 
-    auto as_rational(auto&& use) const { return shared_ ? use(shared_->value) : use(Rational(double_)); }
+    ExactNumber(double over, double under) : over_(over + 0.0), under_(under) {}
+
+    static MaybeDouble product(double a, double b) { return unrounded::result(std::multiplies<>(), a, b); }
+
+    /// The number over / under; none if one of them is none.
+    static ExactNumber quotient(MaybeDouble over, MaybeDouble under) {
+        if (!over || !under) return {};
+        if (*under == 1) return ExactNumber(*over);
+        if (const auto value = unrounded::result(std::divides<>(), *over, *under)) return ExactNumber(*value);
+        return *under < 0 ? ExactNumber(-*over, -*under) : ExactNumber(*over, *under);
+    }
+
+    /// The result for quotients of doubles; none if doubles do not hold it.
+    static ExactNumber of_doubles(const ExactNumber& a, const ExactNumber& b, std::multiplies<>) {
+        return quotient(product(a.over_, b.over_), product(a.under_, b.under_));
+    }
+    static ExactNumber of_doubles(const ExactNumber& a, const ExactNumber& b, std::divides<>) {
+        return quotient(product(a.over_, b.under_), product(a.under_, b.over_));
+    }
+    static ExactNumber of_doubles(const ExactNumber& a, const ExactNumber& b, auto plus_or_minus) {
+        if (a.under_ == b.under_) return quotient(unrounded::result(plus_or_minus, a.over_, b.over_), a.under_);
+        const auto left = product(a.over_, b.under_), right = product(b.over_, a.under_);
+        if (!left || !right) return {};
+        return quotient(unrounded::result(plus_or_minus, *left, *right), product(a.under_, b.under_));
+    }
+
+    auto as_rational(auto&& use) const { return shared_ ? use(shared_->value) : use(rational()); }
     static auto as_rationals(const ExactNumber& a, const ExactNumber& b, auto&& use) {
         return a.as_rational(
             [&](const Rational& p) { return b.as_rational([&](const Rational& q) { return use(p, q); }); });
     }
 
-    double double_ = std::numeric_limits<double>::quiet_NaN();  // the number, if it is not shared
+    // The number is over / under, unless it is shared. The denominator is positive.
+    double over_ = std::numeric_limits<double>::quiet_NaN();
+    double under_ = 1;
     std::shared_ptr<Shared> shared_;
 };
 

@@ -189,10 +189,8 @@ describe('the choice of a layer', () => {
 describe('the windows so far', () => {
   it('are drawn, and so are those that enclose the current one', async () => {
     const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
-    const boxes = async (role: string): Promise<number> => {
-      const found = (await shapes(page)).find(({ look }) => look === role);
-      return (found?.d.match(/M/g) ?? []).length;
-    };
+    const lines = async (role: string): Promise<string | undefined> =>
+      (await shapes(page)).find(({ look }) => look === role)?.d;
     // Goes to the first window of 8 x 8. The quarters of 16 x 16 are drawn, and only the whole area encloses this one.
     const quarter = await page.evaluate(() => {
       const app = document.querySelector('vidno-app');
@@ -202,8 +200,8 @@ describe('the windows so far', () => {
       return step;
     });
     await goTo(page, quarter);
-    expect(await boxes('tree')).toBe(4);
-    expect(await boxes('way')).toBe(1);
+    expect(await lines('tree')).toBe('M0 0H16M0 8H16M0 16H16M0 0V16M8 0V16M16 0V16');
+    expect(await lines('way')).toBe('M0 0H16M0 16H16M0 0V16M16 0V16');
   });
 
   it('are ink on the picture, dark on a light casing', async () => {
