@@ -20,8 +20,9 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env['VIDNO_PROGRAM'] ?? join(root, 'build/release/trace/vidno');
 
 const steps = 60;
-/** Keys that one page gets before it is the other's turn. The first one is not measured: a hidden page draws everything again. */
+/** Measured keys that one page gets before it is the other's turn. */
 const turn = 20;
+/** With one key more in each turn, which is not measured: a page that was hidden draws everything again. */
 const pressed = steps + steps / turn;
 const viewport = { width: 1440, height: 900 };
 /** Milliseconds of processor time for a step or a move. A busy machine needs several times what an idle one needs. */

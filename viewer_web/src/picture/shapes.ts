@@ -49,8 +49,8 @@ function boxesData(boxes: readonly Box[]): string {
 
 type Part = readonly [from: number, to: number];
 
-/** Parts of lines, by the coordinate that all points of a line share. */
-class Lines {
+/** Parts of parallel lines, by the coordinate that all points of a line share. */
+class Parallels {
   private readonly parts = new Map<number, Part[]>();
 
   add(line: number, ...part: Part): void {
@@ -73,10 +73,10 @@ class Lines {
   }
 }
 
-/** The path data of the sides of boxes. Each line is there once, because drawing the sides of each box takes several times as long. */
+/** The path data of the sides of boxes, in which a side that boxes share is drawn once. */
 export function sidesData(boxes: readonly Box[]): string {
-  const rows = new Lines();
-  const columns = new Lines();
+  const rows = new Parallels();
+  const columns = new Parallels();
   for (const [x, y, width, height] of boxes) {
     for (const side of [y, y + height]) rows.add(side, x, x + width);
     for (const side of [x, x + width]) columns.add(side, y, y + height);

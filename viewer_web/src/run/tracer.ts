@@ -68,7 +68,7 @@ export class Tracer {
 
   private prepare(): void {
     void moduleOf(this.library)
-      .then((module) => (this.own ??= new Library(module, () => '')))
+      .then((module) => (this.own ??= new Library(module, () => 'no functions here')))
       .catch(this.fail);
   }
 
