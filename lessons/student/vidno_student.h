@@ -364,10 +364,13 @@ protected:
     static std::string json(const std::string& value) {
         std::string text = "\"";
         for (const char c : value) {
+            if (static_cast<unsigned char>(c) >= 32 && c != '"' && c != '\\') {
+                text += c;
+                continue;
+            }
             char code[8];
             std::snprintf(code, sizeof code, "\\u%04x", unsigned(c) & 127);
-            const bool plain = static_cast<unsigned char>(c) >= 32 && c != '"' && c != '\\';
-            text += plain ? std::string(1, c) : code;
+            text += code;
         }
         return text + '"';
     }
