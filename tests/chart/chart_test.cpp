@@ -18,6 +18,7 @@
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 
 using namespace vidno;
 using namespace vidno::test;

@@ -22,6 +22,7 @@
 #include "support/outlines.h"
 #include "support/scenes.h"
 #include "support/zeros.h"
+#include "vidno/admission.h"
 
 using namespace vidno;
 using namespace vidno::test;

@@ -6,8 +6,11 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/common.hpp>
+
 #include "support/reference.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 #include "vidno/kernels/exact.h"
 #include "vidno/kernels/filtered_regions.h"
 #include "vidno/vidno.h"

@@ -15,6 +15,7 @@
 #include "state/state.h"
 #include "support/editions.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 
 using namespace vidno;
 using namespace vidno::test;

@@ -15,6 +15,7 @@
 #include "run/write_trace.h"
 #include "state/state.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 
 using namespace vidno;
 using namespace vidno::test;

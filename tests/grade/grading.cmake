@@ -1,4 +1,5 @@
-# Functions for the tests of `vidno grade`. Each test is a script beside this one. It runs with -P; COMPILER, VIDNO and WORK are given.
+# Functions for the tests of `vidno grade`. Each test is a script beside this one. It runs with -P; CLANG, VIDNO and WORK are given, and
+# HEADER, the folder of the precompiled header.
 cmake_minimum_required(VERSION 3.25)
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(student ${here}/../../lessons/student)
@@ -6,18 +7,14 @@ set(student ${here}/../../lessons/student)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
-# Compile the header once, too.
-set(flags -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student})
-execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${student}/example.h -o ${WORK}/example.h.gch
-                COMMAND_ERROR_IS_FATAL ANY)
-list(APPEND flags -I${WORK} -include ${WORK}/example.h)
-file(WRITE ${WORK}/example.h "#include \"${student}/example.h\"\n")
+set(flags -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} -include-pch ${HEADER}/example.pch)
+set(libraries ${HEADER}/example.o)
 
 # Compiles students' programs. Each gets the name of its source.
 function(compile)
     foreach(source IN LISTS ARGN)
         get_filename_component(program ${source} NAME_WE)
-        execute_process(COMMAND ${COMPILER} ${flags} ${source} -o ${program} ${libraries}
+        execute_process(COMMAND ${CLANG} ${flags} ${source} -o ${program} ${libraries}
                         WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
     endforeach()
 endfunction()

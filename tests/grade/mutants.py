@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Checks that `vidno grade` catches mutants: copies of right programs that differ in one token or one statement.
 
-    mutants.py VIDNO COMPILER WORK [--every N] [--least PERCENT] [--report FILE]
+    mutants.py VIDNO CLANG HEADER WORK [--every N] [--least PERCENT] [--report FILE]
 
-Each mutant is compiled once and graded. A mutant that is called right survives. A survivor is graded again on many more random scenes. If
-it is wrong on one of them, that scene distinguishes it from a right program, so the grader has missed it. Otherwise its traces are
-compared with those of the right program, and the report says how they differ. The exit status is 1 if the grader catches fewer than
-PERCENT of the mutants that some scene distinguishes.
+HEADER is the folder of the precompiled header. Each mutant is compiled once and graded. A mutant that is called right survives. A survivor
+is graded again on many more random scenes. If it is wrong on one of them, that scene distinguishes it from a right program, so the grader
+has missed it. Otherwise its traces are compared with those of the right program, and the report says how they differ. The exit status is 1
+if the grader catches fewer than PERCENT of the mutants that some scene distinguishes.
 """
 import argparse
 import concurrent.futures
@@ -72,19 +72,16 @@ def mutants_of(text):
 class Course:
     """Compiles programs and grades them."""
 
-    def __init__(self, vidno, compiler, work):
-        self.vidno, self.compiler, self.work = vidno, compiler, work
+    def __init__(self, vidno, clang, header, work):
+        self.vidno, self.clang, self.header, self.work = vidno, clang, header, work
         work.mkdir(parents=True, exist_ok=True)
-        self.flags = ['-std=c++14', '-O0', '-w', '-I', str(STUDENT)]
-        subprocess.run([compiler, *self.flags, '-x', 'c++-header', str(STUDENT / 'example.h'), '-o', str(work / 'example.h.gch')],
-                       check=True)
 
     def compiled(self, name, text):
         """The path of the program; None if it does not compile."""
         source, program = self.work / f'{name}.cpp', self.work / name
         source.write_text(text, encoding='utf-8')
-        done = subprocess.run([self.compiler, *self.flags, '-I', str(self.work), '-include', str(self.work / 'example.h'), str(source), '-o',
-                               str(program)], capture_output=True, check=False)
+        done = subprocess.run([self.clang, '-std=c++14', '-w', '-I', str(STUDENT), '-include-pch', str(self.header / 'example.pch'),
+                               str(source), str(self.header / 'example.o'), '-o', str(program)], capture_output=True, check=False)
         source.unlink()
         return program if done.returncode == 0 else None
 
@@ -144,7 +141,8 @@ def difference(right, told):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('vidno')
-    parser.add_argument('compiler')
+    parser.add_argument('clang')
+    parser.add_argument('header', type=pathlib.Path)
     parser.add_argument('work', type=pathlib.Path)
     parser.add_argument('--every', type=int, default=1, help='take one mutant in N')
     parser.add_argument('--least', type=float, default=95, help='percent that must be caught')
@@ -152,7 +150,7 @@ def main():
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--report', type=pathlib.Path)
     options = parser.parse_args()
-    course = Course(options.vidno, options.compiler, options.work.resolve())
+    course = Course(options.vidno, options.clang, options.header, options.work.resolve())
 
     counts = {'made': 0, 'mutants': 0, 'caught': 0, 'missed': 0, 'never told': 0}
     survivors = []

@@ -6,6 +6,7 @@
 
 #include "support/curves.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 #include "vidno/family/family.h"
 #include "vidno/floating_horizon.h"
 #include "vidno/kernels/exact.h"

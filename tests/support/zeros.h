@@ -15,6 +15,7 @@
 #include "support/checked.h"
 #include "support/outlines.h"
 #include "support/scenes.h"
+#include "vidno/admission.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno::test {
