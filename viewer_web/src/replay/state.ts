@@ -99,9 +99,13 @@ export class State {
     this.calls = this.calls.slice(0, -1);
   }
 
-  /** Continues to the end of a stretch by applying the relevant events. */
-  leap({ end, changes, closed, opened }: Stretch, eventOf: (step: number) => Event): void {
-    for (const step of changes) this.change(eventOf(step));
+  /** Continues to the end of a stretch by applying the events of its changes. */
+  leap(
+    { end, closed, opened }: Stretch,
+    changes: readonly Event[],
+    eventOf: (step: number) => Event,
+  ): void {
+    for (const event of changes) this.change(event);
     this.calls = this.calls.slice(0, this.calls.length - closed);
     const last = opened.at(-1) === end ? [] : [end];
     for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);

@@ -181,11 +181,14 @@ export class Timeline {
     if (step <= state.step) return;
     const way = stretch(this.names, state.step, step, this.depthChanges, this.uses);
     const isSparse = way.changes.length * sparse < step - state.step;
-    state.leap(way, (each) => {
+    const read = (each: number): Event => {
       const event = this.replayed(each, isSparse);
       if (event === null) throw new RangeError(`step ${each} of ${this.length}`);
       return event;
-    });
+    };
+    const isQuick = isSparse && hasRoomForDepths(this.header.scene);
+    const changes = isQuick ? this.store.eventsAlone(way.changes) : way.changes.map(read);
+    state.leap(way, changes, read);
   }
 
   /** The event of a step, as far as the state stores its values. */

@@ -40,6 +40,18 @@ describe('a store returns what was added', () => {
     }
   });
 
+  it.each(traceNames)('%s, some steps at once', (name) => {
+    const lines = linesOf(name);
+    for (const size of [1, 7, lines.length]) {
+      const store = storeOf(lines, size);
+      for (const every of [1, 3, lines.length + 1]) {
+        const steps = lines.map((_, i) => i + 1).filter((step) => step % every === 0);
+        const found = steps.map((step) => JSON.parse(lines[step - 1] ?? '') as unknown);
+        expect(store.eventsAlone(steps)).toEqual(found);
+      }
+    }
+  });
+
   it('with the numbers of the names', () => {
     const lines = linesOf('small.zbuffer.signs.jsonl');
     const names = [...storeOf(lines, 10).names];
@@ -55,6 +67,7 @@ describe('a store returns what was added', () => {
     expect([1, 2, 3].map((step) => store.event(step))).toEqual(
       [plain, line, plain].map((each) => JSON.parse(each) as unknown),
     );
+    expect(store.eventsAlone([2, 3])).toEqual([JSON.parse(line), JSON.parse(plain)]);
   });
 
   it('with the start of each line among all bytes', () => {

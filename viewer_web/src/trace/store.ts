@@ -49,7 +49,10 @@ export class BlockText {
 
 /** No text within a line contains this, because its quotes would be escaped. */
 const depths = ',"depths":[';
+const opening = '['.charCodeAt(0);
 const closing = ']'.charCodeAt(0);
+const comma = ','.charCodeAt(0);
+const space = ' '.charCodeAt(0);
 /** The depths of a line begin within this number of bytes. */
 const longestHead = 1024;
 const latin = new TextDecoder('latin1');
@@ -121,9 +124,30 @@ export class Store {
     if (this.last?.step === step || (this.open !== null && isIn(this.open.block, step))) {
       return this.event(step);
     }
-    const { bytes, starts, before } = this.find(step);
-    const [start = 0, end = start] = starts.subarray(step - 1 - before);
-    return JSON.parse(utf8.decode(bytes.subarray(start, end))) as Event;
+    return JSON.parse(utf8.decode(lineIn(this.find(step), step))) as Event;
+  }
+
+  /** The events of some steps, far from other requested ones: decodes and parses their lines alone, all at once. */
+  eventsAlone(steps: readonly number[]): readonly Event[] {
+    let block: Stored | null = null;
+    let size = 1;
+    const lines: Uint8Array[] = [];
+    for (const step of steps) {
+      if (block === null || !isIn(block, step)) block = this.find(step);
+      const line = lineIn(block, step);
+      lines.push(line);
+      size += 1 + line.length;
+    }
+    const list = new Uint8Array(Math.max(size, 2)).fill(space);
+    let end = 0;
+    for (const line of lines) {
+      list[end] = comma;
+      list.set(line, end + 1);
+      end += 1 + line.length;
+    }
+    list[0] = opening;
+    list[list.length - 1] = closing;
+    return JSON.parse(utf8.decode(list)) as Event[];
   }
 
   /** The same without the depths of its pixels, which may be most of a long line and are not decoded. */
@@ -190,6 +214,11 @@ export class Store {
     if (block === undefined) throw new RangeError(`step ${step} of ${this.count}`);
     return block;
   }
+}
+
+/** The bytes of a step's line. */
+function lineIn({ bytes, starts, before }: Stored, step: number): Uint8Array {
+  return bytes.subarray(starts[step - 1 - before], starts[step - before]);
 }
 
 function isIn({ before, names }: Stored, step: number): boolean {
