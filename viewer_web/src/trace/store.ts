@@ -52,7 +52,6 @@ const depths = ',"depths":[';
 const opening = '['.charCodeAt(0);
 const closing = ']'.charCodeAt(0);
 const comma = ','.charCodeAt(0);
-const space = ' '.charCodeAt(0);
 /** The depths of a line begin within this number of bytes. */
 const longestHead = 1024;
 const latin = new TextDecoder('latin1');
@@ -138,7 +137,7 @@ export class Store {
       lines.push(line);
       size += 1 + line.length;
     }
-    const list = new Uint8Array(Math.max(size, 2)).fill(space);
+    const list = new Uint8Array(Math.max(size, 2));
     let end = 0;
     for (const line of lines) {
       list[end] = comma;
