@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // The lazy kernel, which would filter, takes a third longer to compile than this saves.
+    // CGAL's lazy kernel, which filters, takes a third longer to compile.
     using Kernel = CGAL::Cartesian<CGAL::Exact_rational>;
     using Traits = CGAL::Env_surface_data_traits_3<CGAL::Env_triangle_traits_3<Kernel>, std::size_t>;
     using Map = CGAL::Envelope_diagram_2<Traits>;

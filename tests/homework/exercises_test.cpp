@@ -97,7 +97,7 @@ TEST_CASE("profile: equally hard means counts within a tenth and a total within 
     CHECK_FALSE(is_as_hard({{"line W12"}, original.counts}, original));
 }
 
-TEST_CASE("exercises: each is a valid scene, is as hard as the lesson's, and uses no finer numbers" *
+TEST_CASE("exercises: each scene is valid, is as hard as the lesson's, and has no finer numbers" *
           doctest::skip(test::sanitized)) {
     for (const auto& [name, method] : originals) {
         const std::string file = name;
