@@ -6,7 +6,7 @@
 #include "bench/event_object.h"
 #include "bench/overdraw.h"
 #include "bench/ratio.h"
-#include "format/event_json.h"
+#include "format/event_text.h"
 #include "format/trace_writer.h"
 #include "run/recorder.h"
 #include "vidno/vidno.h"
@@ -76,9 +76,7 @@ void export_lines(benchmark::State& state) {
     };
     Text text;
     EventText lines(polygon_names(scene));
-    const auto write = [&] {
-        in_blocks(text, [&](const Event& event) { event.visit([&](const auto& e) { lines.line(text, e); }); });
-    };
+    const auto write = [&] { in_blocks(text, [&](const Event& event) { lines.line(text, event); }); };
     std::string dumped;
     const auto build_and_dump = [&, object = EventObject(scene)] {
         in_blocks(dumped, [&](const Event& event) { (dumped += event.visit(object).dump()) += '\n'; });

@@ -7,7 +7,7 @@
 
 #include "check/check.h"
 #include "check/checked_trace.h"
-#include "format/event_json.h"
+#include "format/event_text.h"
 #include "format/trace_reader.h"
 #include "run/write_trace.h"
 #include "state/floating_horizon_state.h"
@@ -73,7 +73,7 @@ std::vector<Event> events_of(const std::string& text) {
 std::string text_of(const std::vector<Event>& events) {
     EventText lines({});
     Text text;
-    for (const auto& event : events) event.visit([&](const auto& e) { lines.line(text, e); });
+    for (const auto& event : events) lines.line(text, event);
     return text.string();
 }
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "format/event_json.h"
+#include "format/event_text.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "run/run.h"
@@ -88,7 +88,7 @@ std::optional<Event> lowered(const Event& event, Detail detail) {
 std::string lines_of(const std::vector<Event>& events, const Scene& scene) {
     EventText lines(polygon_names(scene));
     Text text;
-    for (const auto& event : events) event.visit([&](const auto& e) { lines.line(text, e); });
+    for (const auto& event : events) lines.line(text, event);
     return text.string();
 }
 
@@ -184,20 +184,21 @@ TEST_CASE("A number is written in its shortest form by every code path") {
 }
 
 TEST_CASE("A cached number is written as before") {
-    // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced.
+    // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced; and halves.
     std::mt19937_64 random(1);
-    std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308};
+    std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308, -0.0, 0.25, -0.5};
     while (numbers.size() < 10000) {
         const auto number = std::bit_cast<double>(random());
         if (std::isfinite(number)) numbers.push_back(number);
     }
+    for (int twice = 0; twice < 4096; ++twice) numbers.push_back(twice / 2.0);
     RememberedShortest remembered;
     for (int round = 0; round < 2; ++round) {
         for (const double number : numbers) {
             for (int twice = 0; twice < 2; ++twice) {
                 Text plain, again;
                 append_number(plain, number);
-                append_number(again, number, remembered);
+                remembered.append(again, number);
                 CHECK(again.view() == plain.view());
             }
         }

@@ -18,7 +18,7 @@ inline Agreement agreement_on_event(const std::string& line, const EventContext&
     EventText text(names);
     const auto written = [&](const EventView& event) {
         Text out;
-        event.visit([&](const auto& e) { text.line(out, e); });
+        text.line(out, event);
         return out.string();
     };
     QuickEvents quick(context);

@@ -26,7 +26,7 @@ struct Told {
         const auto event = std::visit([](auto& each) { return each.next(); }, reader);
         if (!event) return std::nullopt;
         Text line;
-        event->visit([&](const auto& e) { text.line(line, e); });
+        text.line(line, *event);
         return line.string();
     }
 };

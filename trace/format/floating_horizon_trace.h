@@ -3,7 +3,7 @@
 
 #include "choice/edition.h"
 #include "choice/method.h"
-#include "format/event_json.h"
+#include "format/event_text.h"
 #include "scene/surface.h"
 #include "vidno/floating_horizon/floating_horizon_run.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "format/event_json.h"
+#include "format/event_text.h"
 
 namespace vidno {
 

@@ -41,7 +41,7 @@ void TraceWriter::hear(const EventView& event) {
         mark_line();
         index_->names.push_back(std::uint8_t(event.place()));
     }
-    event.visit([this](const auto& e) { lines_.line(text_, e); });
+    lines_.line(text_, event);
     if (text_.size() > block) flush();
 }
 

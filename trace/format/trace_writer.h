@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "choice/edition.h"
-#include "format/event_json.h"
 #include "format/event_sink.h"
+#include "format/event_text.h"
 #include "vidno/picture.h"
 
 namespace vidno {

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -13,11 +11,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "vidno/scene.h"
 
@@ -78,45 +74,20 @@ inline constexpr std::size_t longest_number = 24;  // -2.2250738585072014e-308
 
 /// Writes the shortest form of a number that reads back the same; gives its end.
 struct Shortest {
-    char* operator()(char* to, auto value) const { return std::to_chars(to, to + longest_number, value).ptr; }
+    char* operator()(char* to, double value) const { return std::to_chars(to, to + longest_number, value).ptr; }
 };
 
-/// The same with a cache, since a trace repeats most of its numbers.
-class RememberedShortest {
-public:
-    char* operator()(char* to, double value) {
-        Known& known = known_[hash(value)];
-        if (!(known.value == value)) {
-            known.value = value;
-            known.size = std::size_t(Shortest{}(known.text.data(), value) - known.text.data());
-        }
-        std::copy(known.text.begin(), known.text.end(), to);  // all: a copy of fixed size is quick
-        return to + known.size;
-    }
+/// Writes a whole number; gives its end. Not a template: the linker would keep the code of any unit that has it, and most are hardly
+/// optimized.
+char* write_integer(char* to, std::int64_t value);
 
-private:
-    struct Known {
-        double value = std::numeric_limits<double>::quiet_NaN();
-        std::size_t size = 0;
-        std::array<char, longest_number> text;
-    };
-    static constexpr int index_bits = 10;
-
-    static std::size_t hash(double value) {
-        constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;  // Fibonacci hashing: the product's upper bits
-        return (std::bit_cast<std::uint64_t>(value) * golden_ratio) >> (64 - index_bits);
-    }
-
-    std::vector<Known> known_{1 << index_bits};
-};
-
-inline void append_integer(auto& out, std::integral auto value) {
-    out.put(longest_number, [&](char* to) { return Shortest{}(to, value); });
+void append_integer(auto& out, std::integral auto value) {
+    out.put(longest_number, [&](char* to) { return write_integer(to, std::int64_t(value)); });
 }
 
 /// -0 is written as 0, numbers that are not finite as strings.
 inline void append_number(auto& out, double value, auto&& shortest) {
-    // Most numbers of a trace are whole pixels and their centres. Below 100,000 no other form of them is shorter.
+    // Below 100,000 no other form of such numbers is shorter.
     if (std::abs(value) < 1e5 && 2 * value == int(2 * value)) {
         const int twice = int(2 * value);
         if (twice < 0) out += '-';

@@ -22,11 +22,11 @@ NamedRun read_run(const JsonNode& node, bool of_curves) {
         node.at("method").refuse(of_curves ? "draws no surface" : "draws a surface, and the scene is of polygons");
     }
     const KernelChoice& choice = *run.kernel.choice;
-    const bool runs =
+    const bool can_run =
         of_curves
             ? choice.runs_floating_horizon(run.edition)
             : choice.runs(Method(node.at("method").place_among(method_names, "no method of this name")), run.edition);
-    if (!runs) node.refuse("the kernel does not run this method and edition");
+    if (!can_run) node.refuse("the kernel does not run this method and edition");
     return run;
 }
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "format/event_json.h"
+#include "format/event_text.h"
 #include "state/call_stack.h"
 
 namespace vidno {
