@@ -9,8 +9,16 @@
 
 namespace vidno {
 
+bool DecisionsTold::has(Decision of) const {
+    using enum Decision;
+    if (detail == Detail::windows) return false;
+    if (of_regions && of == orientation) return false;  // only the surround test and the clip report theirs
+    return detail == Detail::signs || of == inside || of == first_centre || of == last_centre || of == columns ||
+           of == comparison || of == visibility;
+}
+
 void CheckedTrace::hear(const EventView& event) {
-    const auto decisions = heard_.told_by(event);
+    auto decisions = heard_.told_by(event);
     event.visit([&]<class E>(const E& told) {
         if constexpr (requires { told.decides; }) {
             E judged = told;
@@ -32,20 +40,14 @@ void CheckedTrace::tell_wrong_ones(const std::vector<JudgedDecision>& decisions)
     }
 }
 
-bool CheckedTrace::is_told_early(Decision of) {
-    using enum Decision;
-    return of == inside || of == first_centre || of == last_centre || of == columns || of == comparison ||
-           of == visibility;
-}
-
 template <class E>
 void CheckedTrace::write(const E& event) {
     at_ = event.at;
     Detail from = E::kind.from;
     if constexpr (std::same_as<E, event::Call>) from = event::calls_from(event.of);
-    if (from > detail_) return;
+    if (from > told_.detail) return;
     if constexpr (std::same_as<E, event::Span>) {
-        if (detail_ < Detail::polygons && event.depths) {
+        if (told_.detail < Detail::polygons && event.depths) {
             E without_depths = event;
             without_depths.depths.reset();
             return writer_->hear(without_depths);
@@ -63,46 +65,51 @@ Operand renamed(Operand operand, std::string name) {
 }
 
 /// The ends of a span give its columns: the first centre from one end and the last one up to the other.
-JudgedDecision columns_of(const JudgedDecision& first, const JudgedDecision& last) {
-    JudgedDecision columns = last;
-    columns.taken = std::pair(std::get<int>(first.taken), std::get<int>(last.taken) + 1);
-    columns.truth = {};
-    if (first.truth.answer && last.truth.answer) {
-        columns.truth.answer = std::pair(std::get<int>(*first.truth.answer), std::get<int>(*last.truth.answer) + 1);
+JudgedDecision columns_of(JudgedDecision first, JudgedDecision columns) {
+    columns.taken = std::pair(std::get<int>(first.taken), std::get<int>(columns.taken) + 1);
+    const Truth last = std::exchange(columns.truth, {});
+    if (first.truth.answer && last.answer) {
+        columns.truth.answer = std::pair(std::get<int>(*first.truth.answer), std::get<int>(*last.answer) + 1);
     }
     if (!first.operands.empty() && !columns.operands.empty()) {
         columns.operands.front().name = "right";
-        columns.operands.insert(columns.operands.begin(), renamed(first.operands.front(), "left"));
+        columns.operands.insert(columns.operands.begin(), renamed(std::move(first.operands.front()), "left"));
     }
     return columns;
 }
 
 /// The verdict on an event's decision: the last one of its kind. None if it was not judged, like columns in an edition that leaves out
-/// the ends.
-std::optional<JudgedDecision> judged(const ToldDecision& told, const std::vector<JudgedDecision>& decisions) {
-    const auto found = [&](Decision of) -> const JudgedDecision* {
-        const auto last = std::find_if(decisions.rbegin(), decisions.rend(), [&](auto& each) { return each.of == of; });
-        return last == decisions.rend() ? nullptr : &*last;
+/// the ends. Only wrong decisions keep their operands.
+std::optional<JudgedDecision> judged(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
+    const auto find = [&](Decision of) {
+        return std::find_if(decisions.rbegin(), decisions.rend(), [&](auto& each) { return each.of == of; });
     };
-    if (const auto* own = found(told.of)) return *own;
-    const auto* first = found(Decision::first_centre);
-    const auto* last = found(Decision::last_centre);
-    if (told.of != Decision::columns || !first || !last) return std::nullopt;
-    const JudgedDecision columns = columns_of(*first, *last);
-    return columns.taken == told.answer ? std::optional(columns) : std::nullopt;
+    const auto take = [](auto found) { return found->wrong() ? *found : std::move(*found); };
+    const auto none = decisions.rend();
+    if (const auto own = find(told.of); own != none) return take(own);
+    const auto first = find(Decision::first_centre), last = find(Decision::last_centre);
+    if (told.of != Decision::columns || first == none || last == none) return std::nullopt;
+    JudgedDecision columns = columns_of(take(first), take(last));
+    return columns.taken == told.answer ? std::optional(std::move(columns)) : std::nullopt;
 }
+
+DecisionsTold decisions_told(const RunRequest& request, Detail detail) {
+    return {detail, algorithm_of(request.method) == Algorithm::weiler_atherton};
+}
+DecisionsTold decisions_told(const FloatingHorizonRequest&, Detail detail) { return {detail}; }
 
 /// The operands of each event that reports a decision.
 std::vector<Operands> exact_operands(const RunRequest& request) {
     Pending<JudgedDecision> heard;
     std::vector<Operands> found;
-    const Judge judge = [&](const Verdict& verdict) { heard.add(JudgedDecision(verdict)); };
+    const DecisionsTold told = decisions_told(request, Detail::signs);
+    const Judge judge = [&](const Verdict& verdict) { heard.add(JudgedDecision(verdict, told.has(verdict.of))); };
     HeardBy sink([&](const EventView& event) {
-        const auto decisions = heard.told_by(event);
-        const auto told = decision_of(event);
-        if (!told) return;
-        const auto own = judged(*told, decisions);
-        found.push_back(own ? own->operands : Operands{});
+        auto decisions = heard.told_by(event);
+        const auto decision = decision_of(event);
+        if (!decision) return;
+        auto own = judged(*decision, decisions);
+        found.push_back(own ? std::move(own->operands) : Operands{});
     });
     RunRequest exact = request;
     exact.detail = Detail::signs;
@@ -113,19 +120,19 @@ std::vector<Operands> exact_operands(const RunRequest& request) {
 
 }  // namespace
 
-Told CheckedTrace::told_of(const ToldDecision& told, const std::vector<JudgedDecision>& decisions) {
+Told CheckedTrace::told_of(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
     const std::size_t place = decisions_++;
-    const auto own = judged(told, decisions);
+    auto own = judged(told, decisions);
     if (!own) return {std::nullopt, last_stage_, std::nullopt};
-    const Operands& operands = place < operands_.size() ? operands_[place] : own->operands;
-    return {own->truth, last_stage_, operands.empty() ? std::nullopt : std::optional(operands)};
+    Operands& operands = place < operands_.size() ? operands_[place] : own->operands;
+    return {own->truth, last_stage_, operands.empty() ? std::nullopt : std::optional(std::move(operands))};
 }
 
 namespace {
 
 /// `run(request, followers)` executes the run.
 bool write_judged(auto request, TraceWriter& writer, std::vector<Operands> operands, auto&& run) {
-    CheckedTrace trace(request.detail, writer, std::move(operands));
+    CheckedTrace trace(decisions_told(request, request.detail), writer, std::move(operands));
     const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };
     const StageCount count = [&](FilterStage stage) { trace.count(stage); };
     request.detail = Detail::signs;

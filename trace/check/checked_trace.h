@@ -12,17 +12,24 @@
 
 namespace vidno {
 
+/// The decisions that the events of a trace report. Only these and wrong ones need their operands, which take most of the time.
+struct DecisionsTold {
+    Detail detail;
+    bool of_regions = false;  // of Weiler and Atherton's algorithm
+
+    bool has(Decision of) const;
+};
+
 /// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
     /// `operands` holds those of each event that reports a decision, in the order of the events. If it is empty, the verdicts' own are
     /// used.
-    CheckedTrace(Detail detail, TraceWriter& writer, std::vector<Operands> operands = {})
-        : detail_(detail), writer_(&writer), operands_(std::move(operands)) {}
+    CheckedTrace(DecisionsTold told, TraceWriter& writer, std::vector<Operands> operands = {})
+        : told_(told), writer_(&writer), operands_(std::move(operands)) {}
 
     void judge(const Verdict& verdict) {
-        const bool is_told = detail_ == Detail::signs || (detail_ == Detail::polygons && is_told_early(verdict.of));
-        heard_.add(JudgedDecision(verdict, is_told || verdict.wrong()));
+        heard_.add(JudgedDecision(verdict, told_.has(verdict.of) || verdict.wrong()));
     }
     void count(FilterStage stage) { last_stage_ = std::max(last_stage_.value_or(stage), stage); }
 
@@ -37,13 +44,10 @@ private:
 
     void tell_wrong_ones(const std::vector<JudgedDecision>& decisions);
 
-    /// Whether events of level `polygons` report decisions of this kind.
-    static bool is_told_early(Decision of);
+    /// The fields that a checked trace adds to the event's decision. It takes the operands of the right ones.
+    Told told_of(const ToldDecision& told, std::vector<JudgedDecision>& decisions);
 
-    /// The fields that a checked trace adds to the event's decision.
-    Told told_of(const ToldDecision& told, const std::vector<JudgedDecision>& decisions);
-
-    Detail detail_;
+    DecisionsTold told_;
     TraceWriter* writer_;
     std::vector<Operands> operands_;
     std::size_t decisions_ = 0;  // reported by events so far

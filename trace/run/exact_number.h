@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include <utility>
 
 #include "format/verdict.h"
+#include "json/json_text.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno {
@@ -28,12 +30,17 @@ struct Dyadic {
     int power;
 };
 inline Dyadic dyadic(double value) {
-    constexpr int digits = std::numeric_limits<double>::digits;
-    int exponent = 0;
-    const auto significand = std::int64_t(std::ldexp(std::frexp(value, &exponent), digits));
-    if (significand == 0) return {0, 0};
-    const int zeros = std::countr_zero(std::uint64_t(significand));
-    return {significand >> zeros, exponent - digits + zeros};
+    if (value == 0) return {0, 0};
+    constexpr int fraction_bits = std::numeric_limits<double>::digits - 1;
+    constexpr std::uint64_t hidden_bit = std::uint64_t{1} << fraction_bits;
+    const auto pattern = std::bit_cast<std::uint64_t>(value);
+    const int exponent = int(pattern >> fraction_bits) & (2 * std::numeric_limits<double>::max_exponent - 1);
+    const std::uint64_t significand = (pattern & (hidden_bit - 1)) + (exponent > 0 ? hidden_bit : 0);
+    const int zeros = std::countr_zero(significand);
+    const auto odd = std::int64_t(significand >> zeros);
+    // The exponent of the least double, and of all that are as small, is stored as 0.
+    constexpr int least = std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits;
+    return {value < 0 ? -odd : odd, least + std::max(exponent - 1, 0) + zeros};
 }
 
 /// value * 2^power; none if it is no word.
@@ -53,7 +60,11 @@ inline std::string quotient_text(double over, double under) {
     const auto numerator = shifted(p / divisor, std::max(power, 0));
     const auto denominator = shifted(q / divisor, std::max(-power, 0));
     if (!numerator || !denominator) return Exact::fraction(Rational(over) / Rational(under));
-    return std::to_string(*numerator) + '/' + std::to_string(*denominator);
+    std::array<char, 2 * longest_number + 1> text;
+    char* end = write_integer(text.data(), *numerator);
+    *end++ = '/';
+    end = write_integer(end, *denominator);
+    return {text.data(), end};
 }
 
 /// A double as a fraction.

@@ -1,4 +1,4 @@
-/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for recorded and judged runs. It is compiled once for all of these
+/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for judged and exact runs. It is compiled once for all of these
 /// arithmetics.
 ///
 /// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on the same numbers, and
@@ -72,6 +72,7 @@ private:
     static constexpr auto truth_of = [](const Number& v) { return v.exact_truth(); };
     static constexpr auto is_finite = [](const Number& v) { return std::isfinite(v.value()); };
     static constexpr auto is_defined = [](const Number& v) { return v.has_truth(); };
+    static constexpr auto is_right = [](const Number& v) { return v.is_right(); };
     static constexpr auto value_of = [](const Number& v) { return v.not_judged(); };
 
     static Number mapped(const Number& v, auto part) { return part(v); }
@@ -181,6 +182,7 @@ private:
 
         Operands operands() const override {
             Operands found;
+            found.reserve(6);  // the coordinates of an orientation's points
             struct Tell {
                 Operands& operands;
                 void operator()(const std::string& called, const Number& v) const {
@@ -238,11 +240,14 @@ protected:
         }
         const auto taken = question.answer(not_judged(), mapped(operands, value_of)...);
         verdict.taken = answer(taken);
-        if ((all(operands, is_finite) && ...)) {
-            verdict.right_for_operands = taken == question.answer(exactly(), mapped(operands, value_exactly)...);
-        }
         if ((all(operands, is_defined) && ...)) {
             verdict.truth.answer = answer(question.answer(exactly(), mapped(operands, truth_of)...));
+        }
+        // Most operands are their own truth: coordinates of the scene and of windows.
+        if ((all(operands, is_right) && ...)) {
+            verdict.right_for_operands = !verdict.wrong();
+        } else if ((all(operands, is_finite) && ...)) {
+            verdict.right_for_operands = taken == question.answer(exactly(), mapped(operands, value_exactly)...);
         }
         (*judge)(verdict);
         return taken;
@@ -258,23 +263,12 @@ protected:
     }
 
 public:
-    /// Throws std::invalid_argument for `filtered` and `grid`: they compare planes and whole numbers.
+    /// The kernel must be one of numbers (Arithmetic::of).
     RunTimeKernel(const NamedKernel& kernel, const Followers& followers)
-        : RunTimeNumbers(RunTimeEntry{arithmetic_of(kernel), followers.judge}),
+        : RunTimeNumbers(RunTimeEntry{Arithmetic::of(kernel), followers.judge}),
           survey_(followers.survey),
           hear_sign_(followers.hear_sign) {
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
-    }
-
-    static Arithmetic arithmetic_of(const NamedKernel& kernel) {
-        switch (kernel.kind()) {
-            case KernelKind::binary32: return {Arithmetic::Kind::binary32};
-            case KernelKind::binary64:
-            case KernelKind::depth: return {Arithmetic::Kind::binary64};
-            case KernelKind::bits: return {Arithmetic::Kind::bits, kernel.parameter};
-            case KernelKind::exact: return exact_arithmetic;
-            default: throw std::invalid_argument(kernel.name() + " is no kernel of numbers");
-        }
     }
 
     Sign sign(const Number& value) const {

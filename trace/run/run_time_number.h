@@ -12,39 +12,10 @@
 #include <utility>
 
 #include "format/verdict.h"
+#include "run/arithmetic.h"
 #include "run/exact_number.h"
-#include "vidno/kernels/bits.h"
 
 namespace vidno {
-
-/// How results are rounded. A constant has no arithmetic of its own: it takes that of the other operand.
-struct Arithmetic {
-    enum class Kind : unsigned char { constant, binary32, binary64, bits, exact };
-
-    Kind kind = Kind::constant;
-    int bits = 0;  // of Kind::bits
-
-    bool is_exact() const { return kind == Kind::exact; }
-
-    /// The number of significant bits of its numbers; for exact ones, that of a double.
-    int digits() const {
-        if (kind == Kind::bits) return bits;
-        return kind == Kind::binary32 ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
-    }
-
-    double rounded(double given) const {
-        switch (kind) {
-            case Kind::binary32: return double(float(given));
-            case Kind::bits: return rounded_to(bits, given);
-            default: return given;
-        }
-    }
-    /// The result of an operation on two of its numbers.
-    double result(double a, double b, auto operation) const {
-        if (kind == Kind::binary32) return double(float(operation(float(a), float(b))));
-        return rounded(operation(a, b));
-    }
-};
 
 /// The gap between the numbers left and right, in ulps of the greater one.
 inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& right, int digits) {
@@ -96,6 +67,9 @@ public:
     }
     bool has_truth() const { return exact_ || is_constant(); }
 
+    /// Whether it is its truth.
+    bool is_right() const { return is_exact() || exactly().as_double() == value_; }
+
     /// The number must be exact.
     const ExactNumber& exact() const { return exact_; }
 
@@ -109,8 +83,19 @@ public:
 
     /// The number as an operand of a decision, with a name.
     Operand operand(std::string name) const {
-        const Fraction right{has_truth() ? exactly().fraction() : ""};
-        return {std::move(name), is_exact() ? right : fraction_of(value_), right};
+        const ExactNumber exact = exactly();
+        const Fraction right{exact ? exact.fraction() : ""};
+        return {std::move(name), is_right() ? right : fraction_of(value_), right};
+    }
+
+    /// Not an initializer list, from which they would be copied.
+    friend Operands two_operands(const RunTimeNumber& a, const char* a_name, const RunTimeNumber& b,
+                                 const char* b_name) {
+        Operands both;
+        both.reserve(2);
+        both.push_back(a.operand(a_name));
+        both.push_back(b.operand(b_name));
+        return both;
     }
 
     /// A constant as a number of an arithmetic.
@@ -166,7 +151,7 @@ private:
     RunTimeNumber(const Arithmetic& arithmetic, double computed, ExactNumber exact, const Judge* judge)
         : value_(computed), arithmetic_(arithmetic), exact_(std::move(exact)), judge_(judge) {}
 
-    bool is_constant() const { return arithmetic_.kind == Arithmetic::Kind::constant; }
+    bool is_constant() const { return arithmetic_.is_of_constants(); }
 
     static const Arithmetic& common(const RunTimeNumber& a, const RunTimeNumber& b) {
         return a.is_constant() ? b.arithmetic_ : a.arithmetic_;
@@ -234,7 +219,7 @@ private:
     public:
         NumbersCompared(const RunTimeNumber& a, const RunTimeNumber& b) : a_(a), b_(b) {}
 
-        Operands operands() const override { return {a_.operand("a"), b_.operand("b")}; }
+        Operands operands() const override { return two_operands(a_, "a", b_, "b"); }
         std::optional<Gap> gap() const override {
             const auto left = a_.truth(), right = b_.truth();
             if (!left || !right) return std::nullopt;
@@ -260,7 +245,7 @@ private:
 class PointConstructed final : public Calculator {
 public:
     PointConstructed(const RunTimeNumber& x, const RunTimeNumber& y) : x_(x), y_(y) {}
-    Operands operands() const override { return {x_.operand("x"), y_.operand("y")}; }
+    Operands operands() const override { return two_operands(x_, "x", y_, "y"); }
     std::optional<Gap> gap() const override { return std::nullopt; }
 
 private:

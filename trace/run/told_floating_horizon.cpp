@@ -156,8 +156,8 @@ DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging&
 DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers) {
     assert(request.sink);
     const KernelKind kind = request.kernel.kind();
-    const int digits = kind == KernelKind::filtered ? std::numeric_limits<double>::digits
-                                                    : RunTimeKernel::arithmetic_of(request.kernel).digits();
+    const int digits =
+        kind == KernelKind::filtered ? std::numeric_limits<double>::digits : Arithmetic::of(request.kernel).digits();
     Judging judging{followers.judge, followers.survey, digits};
     if (kind == KernelKind::filtered) return told(request, FilteredBy(StageTally{followers.count}), judging);
     if (kind == KernelKind::binary64 && !followers.judge) return told(request, Double{}, judging);

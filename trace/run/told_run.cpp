@@ -9,10 +9,10 @@ Picture told_set(const RunRequest& request, const Followers& followers) {
     switch (request.kernel.kind()) {
         case KernelKind::filtered: return told_filtered(request, followers.count);
         case KernelKind::grid: return told_grid(request);
-        case KernelKind::binary64:
-            if (!followers.judge) return told_double(request);
-            [[fallthrough]];
-        default: return told_run_time(request, followers);
+        case KernelKind::exact: return told_run_time(request, followers);
+        default:
+            if (followers.judge) return told_run_time(request, followers);
+            return request.kernel.kind() == KernelKind::binary64 ? told_double(request) : told_machine(request);
     }
 }
 
