@@ -96,4 +96,17 @@ describe('a page on disk, whose address works for nobody else, is saved as anoth
     await expect.poll(async () => (await run(scenePage.page)).lines).toEqual(changed.lines);
     expect([...lesson.faults, ...scenePage.faults]).toEqual([]);
   });
+
+  it('with a trace that this page keeps once for two lessons', async () => {
+    const file = '11-warnock-family.warnock.double.corrected.signs';
+    const { page } = await open(browser, `#lang=en&trace=${file}`);
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await whole(page);
+    const same = page.locator(`script[data-vidno-file="${file}.jsonl.gz"]`);
+    expect(await same.getAttribute('data-vidno-same')).toMatch(/^01-four-relations/u);
+    const lesson = await openSaved(await saved(page));
+    await lesson.page.locator(title, { hasText: /./u }).waitFor();
+    await whole(lesson.page);
+    expect(await run(lesson.page)).toEqual(await run(page));
+  });
 });

@@ -17,14 +17,26 @@ function tags(directory: string): HtmlTagDescriptor[] {
   const file = (name: string): Buffer => readFileSync(join(directory, name));
   return [
     block({ type: 'application/json', id: 'vidno-lessons' }, jsonInPage(lessons)),
-    ...traces.map((name) => fileBlock(name, file(name))),
-    ...stories.map((name) => fileBlock(name, gzipSync(file(name), { level: 9 }))),
+    ...fileBlocks([
+      ...traces.map((name) => [name, file(name)] as const),
+      ...stories.map((name) => [name, gzipSync(file(name), { level: 9 })] as const),
+    ]),
   ];
 }
 
-function fileBlock(name: string, bytes: Buffer): HtmlTagDescriptor {
-  const attributes = { type: 'application/octet-stream', 'data-vidno-file': name };
-  return block(attributes, bytes.toString('base64'));
+/** A block for each file. If several have the same content, the first block has it, and the others name that block. */
+function fileBlocks(
+  files: readonly (readonly [name: string, bytes: Buffer])[],
+): HtmlTagDescriptor[] {
+  const names = new Map<string, string>();
+  return files.map(([name, bytes]) => {
+    const content = bytes.toString('base64');
+    const attributes = { type: 'application/octet-stream', 'data-vidno-file': name };
+    const same = names.get(content);
+    if (same !== undefined) return block({ ...attributes, 'data-vidno-same': same }, '');
+    names.set(content, name);
+    return block(attributes, content);
+  });
 }
 
 function block(attrs: Record<string, string>, children: string): HtmlTagDescriptor {

@@ -46,9 +46,16 @@ export function embeddedLessons(page: Document): readonly Lesson[] {
   return block === null ? [] : lessonList(JSON.parse(block.textContent), '');
 }
 
-/** A file that the page contains, by name. */
-export function embeddedFile(page: Document, file: string): Blob | null {
+/** The block with a file that the page contains, by name. It may have the content of several files. */
+export function blockOf(page: Document, file: string): HTMLScriptElement | undefined {
   const blocks = page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]');
   const block = [...blocks].find((each) => each.dataset['vidnoFile'] === file);
+  const same = block?.dataset['vidnoSame'];
+  return same === undefined ? block : blockOf(page, same);
+}
+
+/** A file that the page contains, by name. */
+export function embeddedFile(page: Document, file: string): Blob | null {
+  const block = blockOf(page, file);
   return block === undefined ? null : fileIn(block);
 }

@@ -1,4 +1,5 @@
 import { jsonInPage } from '../base/json-in-page.js';
+import { blockOf } from './lessons.js';
 import type { Lesson } from './lessons.js';
 
 /** The content of another page. */
@@ -72,12 +73,9 @@ function filesOf({ lessons }: PageContent): ReadonlySet<string> {
 export async function pageFile(page: Document, content: PageContent): Promise<Blob> {
   const { lessons, own, address } = content;
   const [before, after] = shell(page);
-  const blocks = [...page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]')];
   const base64Of = async (name: string): Promise<string> => {
     const file = own.get(name);
-    if (file !== undefined) return base64(file);
-    const block = blocks.find(({ dataset }) => dataset['vidnoFile'] === name);
-    return block?.textContent.trim() ?? '';
+    return file === undefined ? (blockOf(page, name)?.textContent.trim() ?? '') : base64(file);
   };
   const parts = [before, jsonBlock('vidno-lessons', lessons), jsonBlock('vidno-address', address)];
   for (const name of filesOf(content)) parts.push(fileBlock(name, await base64Of(name)));
