@@ -1,8 +1,11 @@
 #include "grade/scene_truth.h"
 
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <map>
 
@@ -25,6 +28,25 @@ Rational cross(const Point2& o, const Point2& a, const Point2& b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
+Outline2 exactly(const std::vector<glm::dvec2>& corners) {
+    Outline2 outline;
+    for (const auto& each : corners) outline.push_back({each.x, each.y});
+    return outline;
+}
+
+/// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line. None if intervals leave it open.
+template <class Number>
+std::optional<int> side_in(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p, double open) {
+    const Number along_x = Number(to.x) - Number(from.x), along_y = Number(to.y) - Number(from.y);
+    const Number value = along_x * (Number(p.y) - Number(from.y)) - along_y * (Number(p.x) - Number(from.x));
+    const Number reach = Number(open) * (Number(CGAL::abs(along_x)) + Number(CGAL::abs(along_y)));
+    const auto is_beyond = value > reach, is_before = value < Number(-reach);
+    if (CGAL::certainly(is_beyond)) return 1;
+    if (CGAL::certainly(is_before)) return -1;
+    if (CGAL::certainly_not(is_beyond) && CGAL::certainly_not(is_before)) return 0;
+    return std::nullopt;
+}
+
 /// Twice the area, positive if the outline turns from x to y.
 Rational twice_area(const Outline2& outline) {
     Rational sum(0);
@@ -33,9 +55,10 @@ Rational twice_area(const Outline2& outline) {
 }
 
 struct ExactPolygon {
-    Outline2 outline;        // without edges of length 0; its area is positive
-    Rational zx, zy, z0;     // z = zx x + zy y + z0
-    double depth_slack = 0;  // the tolerance of a depth
+    std::vector<glm::dvec2> corners;  // of the outline
+    Outline2 outline;                 // without edges of length 0; its area is positive
+    Rational zx, zy, z0;              // z = zx x + zy y + z0
+    double depth_slack = 0;           // the tolerance of a depth
     bool has_inside = false;
 
     Rational depth(const Point2& p) const { return zx * p.x + zy * p.y + z0; }
@@ -137,11 +160,15 @@ struct SceneTruth::Exactly {
         for (const auto& v : vertices) {
             extent = std::max({extent, std::abs(v.x - vertices[0].x), std::abs(v.y - vertices[0].y)});
             const auto& next = vertices[std::size_t(&v - vertices.data() + 1) % vertices.size()];
-            if (v.x != next.x || v.y != next.y) polygon.outline.push_back({v.x, v.y});
+            if (v.x != next.x || v.y != next.y) polygon.corners.emplace_back(v);
         }
+        polygon.outline = exactly(polygon.corners);
         const Rational area = twice_area(polygon.outline);
         polygon.has_inside = area != 0;
-        if (area < 0) std::reverse(polygon.outline.begin(), polygon.outline.end());
+        if (area < 0) {
+            std::reverse(polygon.corners.begin(), polygon.corners.end());
+            std::reverse(polygon.outline.begin(), polygon.outline.end());
+        }
         if (polygon.has_inside) set_plane(polygon, vertices, extent, slack);
         return polygon;
     }
@@ -149,18 +176,18 @@ struct SceneTruth::Exactly {
     const ExactPolygon& at(int polygon) const { return polygons[std::size_t(polygon)]; }
 
     /// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line.
-    int side_of(const Point2& from, const Point2& to, const Point2& p, double open) const {
-        const Rational value = cross(from, to, p);
-        const Rational length = magnitude(to.x - from.x) + magnitude(to.y - from.y);
-        if (magnitude(value) <= Rational(open) * length) return 0;
-        return value > 0 ? 1 : -1;
+    static int side_of(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p, double open) {
+        // Rationals take thirty times as long, and few points are that near.
+        const auto side = side_in<CGAL::Interval_nt<>>(from, to, p, open);
+        return side ? *side : *side_in<Rational>(from, to, p, open);
     }
 
-    Place place(const ExactPolygon& polygon, const Point2& p, double open) const {
+    Place place(const ExactPolygon& polygon, const glm::dvec2& p, double open) const {
         if (!polygon.has_inside) return Place::outside;
         Place found = Place::inside;
-        for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
-            const int side = side_of(polygon.outline[i], polygon.outline[(i + 1) % polygon.outline.size()], p, open);
+        const auto& corners = polygon.corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const int side = side_of(corners[i], corners[(i + 1) % corners.size()], p, open);
             if (side < 0) return Place::outside;
             if (side == 0) found = Place::outline;
         }
@@ -181,23 +208,25 @@ struct SceneTruth::Exactly {
     }
 
     /// p lies on the outline: whether the points next to p in that direction belong to the polygon.
-    bool goes_on(const ExactPolygon& polygon, const Point2& p, const Direction& direction) const {
+    bool goes_on(const ExactPolygon& polygon, const glm::dvec2& p, const Direction& direction) const {
         for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
-            const Point2 &from = polygon.outline[i], &to = polygon.outline[(i + 1) % polygon.outline.size()];
-            if (side_of(from, to, p, slack) != 0) continue;
+            const std::size_t next = (i + 1) % polygon.outline.size();
+            if (side_of(polygon.corners[i], polygon.corners[next], p, slack) != 0) continue;
+            const Point2 &from = polygon.outline[i], &to = polygon.outline[next];
             const Rational turn = (to.x - from.x) * Rational(direction.y) - (to.y - from.y) * Rational(direction.x);
             if (turn <= 0) return false;
         }
         return true;
     }
 
-    std::vector<Direction> changes_at(const Point2& p, const std::vector<int>& on) const {
+    std::vector<Direction> changes_at(const glm::dvec2& p, const std::vector<int>& on) const {
         std::vector<Direction> changes;
         for (const int q : on) {
             const Outline2& outline = at(q).outline;
             for (std::size_t i = 0; i < outline.size(); ++i) {
-                const Point2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
-                if (side_of(from, to, p, slack) != 0) continue;
+                const std::size_t next = (i + 1) % outline.size();
+                if (side_of(at(q).corners[i], at(q).corners[next], p, slack) != 0) continue;
+                const Point2 &from = outline[i], &to = outline[next];
                 changes.push_back({CGAL::to_double(Rational(to.x - from.x)), CGAL::to_double(Rational(to.y - from.y))});
             }
         }
@@ -205,14 +234,15 @@ struct SceneTruth::Exactly {
     }
 
     SeenPixel see(int column, int row) const {
-        const Point2 p{column + 0.5, row + 0.5};
+        const glm::dvec2 centre(column + 0.5, row + 0.5);
+        const Point2 p{centre.x, centre.y};
         std::vector<int> in, on, closed;
         SeenPixel seen;
         for (int q = 0; q < int(polygons.size()); ++q) {
-            const Place where = place(at(q), p, slack);
+            const Place where = place(at(q), centre, slack);
             if (where == Place::inside) in.push_back(q);
             if (where == Place::outline) on.push_back(q);
-            if (place(at(q), p, 0) == Place::outside) continue;
+            if (place(at(q), centre, 0) == Place::outside) continue;
             closed.push_back(q);
             if (seen.by_rule == SeenPixel::background || at(q).depth(p) > at(seen.by_rule).depth(p)) seen.by_rule = q;
         }
@@ -231,10 +261,10 @@ struct SceneTruth::Exactly {
         };
         allow(closed);
         if (on.empty()) return seen;
-        for (const auto& direction : directions_between(changes_at(p, on))) {
+        for (const auto& direction : directions_between(changes_at(centre, on))) {
             std::vector<int> beside = in;
             for (const int q : on) {
-                if (goes_on(at(q), p, direction)) beside.push_back(q);
+                if (goes_on(at(q), centre, direction)) beside.push_back(q);
             }
             allow(beside);
         }
