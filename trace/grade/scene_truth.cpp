@@ -177,7 +177,7 @@ struct SceneTruth::Exactly {
 
     /// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line.
     static int side_of(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p, double open) {
-        // Rationals take thirty times as long, and few points are that near.
+        // Rationals take sixty times as many instructions, and few points are that near.
         const auto side = side_in<CGAL::Interval_nt<>>(from, to, p, open);
         return side ? *side : *side_in<Rational>(from, to, p, open);
     }
