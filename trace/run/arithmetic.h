@@ -43,11 +43,8 @@ struct Arithmetic {
             default: return given;
         }
     }
-    /// The result of an operation on two of its numbers.
-    double result(double a, double b, auto operation) const {
-        if (kind == Kind::binary32) return double(float(operation(float(a), float(b))));
-        return rounded(operation(a, b));
-    }
+    /// The result of + - * or / on two of its numbers. Rounding twice, to a double first, is rounding once: see bits.h.
+    double result(double a, double b, auto operation) const { return rounded(operation(a, b)); }
 };
 
 }  // namespace vidno
