@@ -20,7 +20,8 @@
 #include "vidno/vidno.h"
 #include "vidno_student.h"
 
-// A student's program has no library to link, so it compiles these itself.
+// A student's program has no library to link, so it compiles these itself, in each file that includes this header.
+#define VIDNO_INLINE inline
 #include "format/event_text.cpp"
 #include "json/json_text.cpp"
 

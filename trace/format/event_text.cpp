@@ -5,6 +5,11 @@
 
 #include "format/event_fields.h"
 
+// Header-only programs, which link no library, define this as `inline`.
+#ifndef VIDNO_INLINE
+#define VIDNO_INLINE
+#endif
+
 namespace vidno {
 
 namespace {
@@ -141,7 +146,7 @@ private:
 
 }  // namespace
 
-PolygonNames polygon_names(const Scene& scene) {
+VIDNO_INLINE PolygonNames polygon_names(const Scene& scene) {
     PolygonNames names;
     for (const auto& polygon : scene.polygons) {
         Text name;
@@ -151,13 +156,13 @@ PolygonNames polygon_names(const Scene& scene) {
     return names;
 }
 
-void EventText::line(Text& out, const EventView& event) {
+VIDNO_INLINE void EventText::line(Text& out, const EventView& event) {
     event.visit([&](const auto& e) {
         out.put(LineBound(names_)(e), [&](char* to) { return LineWriter(to, names_, shortest_).line(e); });
     });
 }
 
-void EventText::value(Text& out, const Value& v) {
+VIDNO_INLINE void EventText::value(Text& out, const Value& v) {
     v.fraction ? append_string(out, *v.fraction) : shortest_.append(out, v.number);
 }
 

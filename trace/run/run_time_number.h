@@ -68,7 +68,7 @@ public:
     bool has_truth() const { return exact_ || is_constant(); }
 
     /// Whether it is its truth.
-    bool is_right() const { return is_exact() || exactly().as_double() == value_; }
+    bool is_right() const { return is(exactly()); }
 
     /// The number must be exact.
     const ExactNumber& exact() const { return exact_; }
@@ -85,7 +85,7 @@ public:
     Operand operand(std::string name) const {
         const ExactNumber exact = exactly();
         const Fraction right{exact ? exact.fraction() : ""};
-        return {std::move(name), is_right() ? right : fraction_of(value_), right};
+        return {std::move(name), is(exact) ? right : fraction_of(value_), right};
     }
 
     /// Not an initializer list, from which they would be copied.
@@ -152,6 +152,8 @@ private:
         : value_(computed), arithmetic_(arithmetic), exact_(std::move(exact)), judge_(judge) {}
 
     bool is_constant() const { return arithmetic_.is_of_constants(); }
+
+    bool is(const ExactNumber& truth) const { return is_exact() || truth.as_double() == value_; }
 
     static const Arithmetic& common(const RunTimeNumber& a, const RunTimeNumber& b) {
         return a.is_constant() ? b.arithmetic_ : a.arithmetic_;
