@@ -129,8 +129,8 @@ export const playerStyle = css`
     z-index: 1;
     display: grid;
     grid-area: dock;
-    grid-template-columns: minmax(0, 1fr);
-    gap: 0.4rem;
+    grid-template-columns: minmax(0, 1fr) auto;
+    row-gap: 0.4rem;
     margin-top: var(--gap);
     padding: 0.45rem 0.75rem 0.55rem;
   }
@@ -148,11 +148,16 @@ export const playerStyle = css`
     font-size: 1.0625rem;
     line-height: 1.3;
   }
+  vidno-transport {
+    grid-column: 1 / -1;
+  }
+  /* Beside the sentence; the Tab key reaches *Play* first. */
   .asides {
     display: flex;
-    flex: none;
+    grid-area: 1 / 2;
     gap: 0.25rem;
     align-self: center;
+    margin-left: 0.75rem;
     visibility: var(--quiet, visible);
   }
   .asides button {

@@ -256,7 +256,7 @@ export class PlayerElement extends StageElement {
                 ${this.verdict(trace, view)}</span
               >
             </p>
-            ${this.asides(view)} ${this.presenter.corner(view)}
+            ${this.presenter.corner(view)}
           </div>
           ${this.playControls(view, check, history, {
             plain: !this.isFull,
@@ -264,6 +264,7 @@ export class PlayerElement extends StageElement {
             veiled,
             hits: this.hits,
           })}
+          ${this.asides(view)}
         </div>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
