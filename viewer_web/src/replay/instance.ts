@@ -44,10 +44,10 @@ export class Instance<E extends Basics> {
   lines(): LinesFound {
     const { memory, events, starts, names } = this.exports;
     const count = events();
-    return {
-      starts: new Uint32Array(memory.buffer, starts(), count + 1).slice(),
-      names: this.bytes(names(), count).map((number) => this.numbers[number] ?? 255),
-    };
+    const found = this.bytes(names(), count).slice();
+    // A loop, because `map` takes several times as long.
+    for (let i = 0; i < count; i++) found[i] = this.numbers[found[i] ?? 255] ?? 255;
+    return { starts: new Uint32Array(memory.buffer, starts(), count + 1).slice(), names: found };
   }
 
   text(at: number, size: number): string {

@@ -20,7 +20,7 @@ export function writtenOf({ bytes, starts, names }: MadeTrace): Written {
     while (end < names.length && (starts[end] ?? 0) - begin < size) end++;
     blocks.push({
       bytes: bytes.subarray(begin, starts[end]),
-      starts: starts.slice(first, end + 1).map((start) => start - begin),
+      starts: shifted(starts.subarray(first, end + 1), begin),
       names: names.slice(first, end),
     });
     first = end;
@@ -30,4 +30,10 @@ export function writtenOf({ bytes, starts, names }: MadeTrace): Written {
     blocks,
     end: text.decode(bytes.subarray(starts.at(-1))),
   };
+}
+
+function shifted(starts: Uint32Array, by: number): Uint32Array<ArrayBuffer> {
+  const found = new Uint32Array(starts.length);
+  for (let i = 0; i < found.length; i++) found[i] = (starts[i] ?? 0) - by;
+  return found;
 }

@@ -51,11 +51,15 @@ export class Library {
     });
   }
 
-  run(request: string): Outcome<MadeTrace> {
+  /** Makes a trace; `copy` takes its bytes out of the library's memory, which the next request overwrites. */
+  run(
+    request: string,
+    copy = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => bytes.slice(),
+  ): Outcome<MadeTrace> {
     const { instance } = this;
     const { run, made, made_size } = instance.exports;
     return this.outcome(request, run, () => ({
-      bytes: instance.bytes(made(), made_size()).slice(),
+      bytes: copy(instance.bytes(made(), made_size())),
       ...instance.lines(),
     }));
   }

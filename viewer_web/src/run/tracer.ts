@@ -7,6 +7,7 @@ import { Maker, moduleOf } from './maker.js';
 import type { Options } from './options.js';
 import { sceneText } from './sketch.js';
 import type { Sketch } from './sketch.js';
+import { TwoBuffers } from './two-buffers.js';
 
 /** A longer run is partial: the page shows its beginning. */
 const mostEvents = 1_000_000;
@@ -30,8 +31,12 @@ function requestOf(scene: Sketch | string, options: Options, most: number): stri
 /** Runs scenes, one at a time. Only the newest of the waiting scenes is run. */
 export class Tracer {
   private readonly maker: Maker<'trace'>;
-  /** The library in the page's own thread. */
+  /** The last request to the worker, and its options. */
+  private asked: { readonly request: string; readonly options: Options } | null = null;
+  /** The library in the page's own thread, after the first quick run, and the options of the last run prepared in it. */
   private own: Library | null = null;
+  private prepared: Options | null = null;
+  private readonly buffers = new TwoBuffers();
   /** The events of the last run, if it was quick. */
   private lastQuick: number | null = null;
 
@@ -40,11 +45,13 @@ export class Tracer {
     private readonly tell: (traced: Traced) => void,
     private readonly fail: (error: unknown) => void,
   ) {
-    this.maker = new Maker(library, 'trace', (answer) => tell(this.taken(answer)), fail);
+    this.maker = new Maker(library, 'trace', (answer) => this.take(answer), fail);
   }
 
   run(scene: Sketch | string, options: Options, most = mostEvents): void {
-    this.maker.ask(requestOf(scene, options, most));
+    const request = requestOf(scene, options, most);
+    this.asked = { request, options };
+    this.maker.ask(request);
   }
 
   /**
@@ -53,23 +60,33 @@ export class Tracer {
    */
   runAtOnce(scene: Sketch, options: Options): boolean {
     const { own, lastQuick, maker } = this;
-    // The page's own thread has no functions for surfaces.
-    if (lastQuick === null || maker.isBusy || scene.curves !== null) return false;
-    if (own === null) {
-      this.prepare();
-      return false;
-    }
-    const outcome = own.run(requestOf(scene, options, mostAfter(lastQuick)));
+    if (own === null || lastQuick === null || maker.isBusy || scene.curves !== null) return false;
+    const request = requestOf(scene, options, mostAfter(lastQuick));
+    const outcome = own.run(request, (bytes) => this.buffers.copy(bytes));
     const traced = this.taken({ ...outcome, made: outcome.made && readMade(outcome.made) });
     if (traced.trace?.shortened) return false;
     this.tell(traced);
     return true;
   }
 
-  private prepare(): void {
-    void moduleOf(this.library)
-      .then((module) => (this.own ??= new Library(module, () => 'no functions here')))
-      .catch(this.fail);
+  private take(answer: Outcome<Made>): void {
+    const traced = this.taken(answer);
+    this.tell(traced);
+    // The page's own thread has no functions for surfaces.
+    const isQuick = this.lastQuick !== null && traced.trace?.header.scene.curves === null;
+    if (isQuick && this.prepared !== this.asked?.options) {
+      requestAnimationFrame(() => setTimeout(() => void this.prepare().catch(this.fail)));
+    }
+  }
+
+  /** Repeats the last run in the page's own thread: a first run takes several times as long as later ones. */
+  private async prepare(): Promise<void> {
+    const module = await moduleOf(this.library);
+    const { asked, maker, lastQuick } = this;
+    if (asked === null || maker.isBusy || lastQuick === null) return;
+    this.own ??= new Library(module, () => 'no functions here');
+    this.own.run(asked.request);
+    this.prepared = asked.options;
   }
 
   private taken({ made, messages, milliseconds }: Outcome<Made>): Traced {
