@@ -1,6 +1,7 @@
 /// MachineKernel: float, double, bits and depth as one kernel, for recorded runs that nobody judges. It is compiled once for all of them.
 ///
-/// Its numbers are values, which a page computes with while a corner is dragged. Those of RunTimeKernel carry the truth as well.
+/// Its numbers are mere values, which a page computes with while a corner is dragged. The thread has their arithmetic: numbers that carry
+/// it take up to 1.2 times as long. So a thread has one such kernel at a time.
 #pragma once
 
 #include <cmath>
@@ -13,14 +14,15 @@
 
 namespace vidno {
 
-/// A number that knows how results are rounded. A constant takes the arithmetic of the other operand.
+/// A number of this thread's arithmetic, or a constant: a result of constants is a constant, and is not rounded.
 class MachineNumber {
 public:
+    static inline thread_local Arithmetic arithmetic;
+
     MachineNumber() = default;
     MachineNumber(std::integral auto constant) : value_(double(constant)) {}
     MachineNumber(double constant) : value_(constant) {}
-    MachineNumber(const Arithmetic& arithmetic, double given)
-        : value_(arithmetic.rounded(given)), arithmetic_(arithmetic) {}
+    static MachineNumber rounded(double given) { return {arithmetic.rounded(given), false}; }
 
     explicit operator double() const { return value_; }
 
@@ -52,23 +54,23 @@ public:
     friend auto operator<=>(const MachineNumber& a, const MachineNumber& b) { return a.value_ <=> b.value_; }
 
 private:
+    MachineNumber(double value, bool is_constant) : value_(value), is_constant_(is_constant) {}
+
     static MachineNumber computed(const MachineNumber& a, const MachineNumber& b, auto operation) {
-        const Arithmetic& arithmetic = a.arithmetic_.is_of_constants() ? b.arithmetic_ : a.arithmetic_;
-        MachineNumber result;
-        result.value_ = arithmetic.result(a.value_, b.value_, operation);
-        result.arithmetic_ = arithmetic;
-        return result;
+        const double result = operation(a.value_, b.value_);
+        // The most common arithmetic first. Results of constants are exact in it.
+        if (arithmetic.kind == Arithmetic::Kind::binary32) return {double(float(result)), false};
+        if (a.is_constant_ && b.is_constant_) return result;
+        return {arithmetic.rounded(result), false};
     }
 
     double value_ = 0;
-    Arithmetic arithmetic_;
+    bool is_constant_ = true;
 };
 
 /// How a coordinate becomes a number.
 struct MachineEntry {
-    Arithmetic arithmetic;
-
-    MachineNumber number(double given) const { return {arithmetic, given}; }
+    MachineNumber number(double given) const { return MachineNumber::rounded(given); }
 };
 
 }  // namespace vidno
@@ -86,7 +88,8 @@ struct MachineKernel : NumberKernel<MachineNumber, MachineEntry> {
     static constexpr std::string_view name = "machine";
 
     /// The kernel must be one of numbers that are not exact.
-    explicit MachineKernel(const NamedKernel& kernel) : NumberKernel(MachineEntry{Arithmetic::of(kernel)}) {
+    explicit MachineKernel(const NamedKernel& kernel) {
+        MachineNumber::arithmetic = Arithmetic::of(kernel);
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
