@@ -98,10 +98,15 @@ DecisionsTold decisions_told(const RunRequest& request, Detail detail) {
 }
 DecisionsTold decisions_told(const FloatingHorizonRequest&, Detail detail) { return {detail}; }
 
-/// The operands of each event that reports a decision.
-std::vector<Operands> exact_operands(const RunRequest& request) {
+/// What `exact` decides, and the operands of each event that reports a decision.
+struct Exactly {
+    RightDecisions right;
+    std::vector<Operands> operands;
+};
+
+Exactly exactly(RunRequest request) {
     Pending<JudgedDecision> heard;
-    std::vector<Operands> found;
+    std::vector<Operands> operands;
     const DecisionsTold told = decisions_told(request, Detail::signs);
     const Judge judge = [&](const Verdict& verdict) { heard.add(JudgedDecision(verdict, told.has(verdict.of))); };
     HeardBy sink([&](const EventView& event) {
@@ -109,13 +114,12 @@ std::vector<Operands> exact_operands(const RunRequest& request) {
         const auto decision = decision_of(event);
         if (!decision) return;
         auto own = judged(*decision, decisions);
-        found.push_back(own ? std::move(own->operands) : Operands{});
+        operands.push_back(own ? std::move(own->operands) : Operands{});
     });
-    RunRequest exact = request;
-    exact.detail = Detail::signs;
-    exact.sink = &sink;
-    exactly_judged_run(exact, {.judge = &judge});
-    return found;
+    request.detail = Detail::signs;
+    request.sink = &sink;
+    auto right = right_decisions(request, &judge);
+    return {std::move(right), std::move(operands)};
 }
 
 }  // namespace
@@ -147,8 +151,11 @@ bool write_judged(auto request, TraceWriter& writer, std::vector<Operands> opera
 }  // namespace
 
 bool write_checked_trace(const RunRequest& request, TraceWriter& writer) {
-    auto operands = request.kernel.is_always_right() ? exact_operands(request) : std::vector<Operands>{};
-    return write_judged(request, writer, std::move(operands), judged_run);
+    if (!request.kernel.is_always_right()) return write_judged(request, writer, {}, judged_run);
+    auto [right, operands] = exactly(request);
+    return write_judged(request, writer, std::move(operands), [&right = right](const auto& of, const auto& followers) {
+        return compared_run(of, right, followers);
+    });
 }
 
 bool write_checked_trace(const FloatingHorizonRequest& request, TraceWriter& writer) {

@@ -26,6 +26,8 @@ private:
     bool parted_ = false;
 };
 
+bool is_of_regions(const RunRequest& request) { return algorithm_of(request.method) == Algorithm::weiler_atherton; }
+
 RunRequest exactly(const RunRequest& request, EventSink& sink) {
     RunRequest exact = request;
     exact.kernel = kernel_of(KernelKind::exact);
@@ -34,13 +36,7 @@ RunRequest exactly(const RunRequest& request, EventSink& sink) {
     return exact;
 }
 
-/// Compares the decisions that events report.
-Picture compared_run(const RunRequest& request, const Followers& followers) {
-    std::vector<Answer> right;
-    HeardBy keep([&](const EventView& event) {
-        if (const auto taken = decision_of(event)) right.push_back(taken->answer);
-    });
-    told_run(exactly(request, keep));
+Picture compared_by_answers(const RunRequest& request, const std::vector<Answer>& right, const Followers& followers) {
     Comparison<Answer> comparison(right);
     HeardBy compare([&](const EventView& event) {
         if (const auto taken = decision_of(event)) {
@@ -53,14 +49,7 @@ Picture compared_run(const RunRequest& request, const Followers& followers) {
     return told_run(compared, {.count = followers.count});
 }
 
-/// Compares signs, since Weiler and Atherton's algorithm takes more decisions than its events report.
-Picture compared_weiler_atherton(const RunRequest& request, const Followers& followers) {
-    std::vector<Sign> right;
-    const HearSign keep = [&](Sign sign) { right.push_back(sign); };
-    HeardBy nobody([](const EventView&) {});
-    RunRequest exact = exactly(request, nobody);
-    exact.detail = Detail::windows;
-    told_run(exact, {.hear_sign = &keep});
+Picture compared_by_signs(const RunRequest& request, const std::vector<Sign>& right, const Followers& followers) {
     Comparison<Sign> comparison(right);
     const HearSign compare = [&](Sign sign) {
         const auto as_answer = [](Sign of) { return Answer(int(of)); };
@@ -75,14 +64,30 @@ Picture exactly_judged_run(const RunRequest& request, const Followers& followers
     return told_run(exactly(request, *request.sink), followers);
 }
 
+RightDecisions right_decisions(const RunRequest& request, const Judge* judge) {
+    RightDecisions right;
+    const HearSign keep_sign = [&](Sign sign) { right.signs.push_back(sign); };
+    HeardBy keep_answer([&](const EventView& event) {
+        if (const auto taken = decision_of(event)) right.reported.push_back(taken->answer);
+        request.sink->hear(event);
+    });
+    told_run(exactly(request, keep_answer),
+             {.judge = judge, .hear_sign = is_of_regions(request) ? &keep_sign : nullptr});
+    return right;
+}
+
+Picture compared_run(const RunRequest& request, const RightDecisions& right, const Followers& followers) {
+    return is_of_regions(request) ? compared_by_signs(request, right.signs, followers)
+                                  : compared_by_answers(request, right.reported, followers);
+}
+
 Picture judged_run(const RunRequest& request, const Followers& followers) {
     if (!request.kernel.is_always_right()) return told_run(request, followers);
-    switch (algorithm_of(request.method)) {
-        case Algorithm::warnock:
-        case Algorithm::z_buffer: return compared_run(request, followers);
-        case Algorithm::weiler_atherton: return compared_weiler_atherton(request, followers);
-    }
-    std::abort();
+    HeardBy nobody([](const EventView&) {});
+    RunRequest unheard = request;
+    unheard.sink = &nobody;
+    if (is_of_regions(request)) unheard.detail = Detail::windows;  // its signs are enough
+    return compared_run(request, right_decisions(unheard, nullptr), followers);
 }
 
 }  // namespace vidno

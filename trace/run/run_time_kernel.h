@@ -271,11 +271,7 @@ public:
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
-    Sign sign(const Number& value) const {
-        const Sign taken = value.sign();
-        if (hear_sign_) (*hear_sign_)(taken);
-        return taken;
-    }
+    Sign sign(const Number& value) const { return heard(value.sign()); }
 
     /// The decision is judged once, where the value is computed.
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
@@ -352,6 +348,14 @@ public:
     }
     static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
 
+protected:
+    bool judges_all() const { return is_judged() && !hear_sign_; }
+
+    Sign heard(Sign taken) const {
+        if (hear_sign_) (*hear_sign_)(taken);
+        return taken;
+    }
+
 private:
     std::optional<DepthBits> depth_bits_;
     const Surveyor* survey_;
@@ -363,7 +367,8 @@ struct RunTimeRegionNumbers : RunTimeKernel {
     explicit RunTimeRegionNumbers(const RunTimeKernel& kernel) : RunTimeKernel(kernel) {}
 };
 
-/// For Weiler and Atherton's algorithm, whose decisions are judged as well.
+/// For Weiler and Atherton's algorithm, whose decisions are judged as well. If someone hears every sign, only comparisons are judged: its
+/// events report no other decision.
 template <>
 struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     using Base = OnRegions<RunTimeRegionNumbers>;
@@ -371,20 +376,20 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     explicit OnRegions(const RunTimeKernel& kernel) : Base(RunTimeRegionNumbers(kernel)) {}
 
     bool parallel(const Planes& p, const Planes& q) const {
-        return is_judged() ? decide(question::ParallelPlanes{}, p, q) : Base::parallel(p, q);
+        return judges_all() ? decide(question::ParallelPlanes{}, p, q) : Base::parallel(p, q);
     }
     bool parallel(const Edge& line, const Edge& other) const {
-        return is_judged() ? decide(question::ParallelEdges{}, line, other) : Base::parallel(line, other);
+        return judges_all() ? decide(question::ParallelEdges{}, line, other) : Base::parallel(line, other);
     }
 
     Sign side(const Edge& line, const Place& p) const {
-        return is_judged() ? decide(question::Side{}, line, p) : Base::side(line, p);
+        return judges_all() ? decide(question::Side{}, line, p) : Base::side(line, p);
     }
     Sign side(const Edge& line, const LoopVertex<Number>& v) const {
         return v.on(line) ? Sign::zero : side(line, v.at);
     }
     bool left_of(const Place& p, const Edge& line) const {
-        return is_judged() ? decide(question::LeftOf{}, p, line) : Base::left_of(p, line);
+        return judges_all() ? decide(question::LeftOf{}, p, line) : Base::left_of(p, line);
     }
 
     Place meet(const Edge& line, const Edge& other) const {
@@ -394,7 +399,7 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     }
 
     Sign order(const Place& p, const Place& q) const {
-        return is_judged() ? decide(question::Order{}, p, q) : Base::order(p, q);
+        return judges_all() ? decide(question::Order{}, p, q) : Base::order(p, q);
     }
     Sign order_of_rows(const Place& p, const Place& q) const { return compare(p.y, q.y); }
     bool same_place(const LoopVertex<Number>& v, const LoopVertex<Number>& w) const {
@@ -402,10 +407,10 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     }
 
     Sign turn(const Place& pivot, const Place& p, const Place& q) const {
-        return is_judged() ? decide(question::Turn{}, pivot, p, q) : Base::turn(pivot, p, q);
+        return judges_all() ? decide(question::Turn{}, pivot, p, q) : Base::turn(pivot, p, q);
     }
     Sign compare(const Number& v, const Number& w) const {
-        return is_judged() ? decide(question::Compare{}, v, w) : Base::compare(v, w);
+        return is_judged() ? heard(decide(question::Compare{}, v, w)) : Base::compare(v, w);
     }
 };
 
