@@ -228,6 +228,11 @@ protected:
         if constexpr (!(std::same_as<Asked, Depth> || ...)) {
             if (!is_judged()) return question.answer(numbers, operands...);
         }
+        return judged_by(*judge, question, operands...);
+    }
+
+    template <class Question, class... Asked>
+    auto judged_by(const Judge& to, const Question& question, const Asked&... operands) const {
         Verdict verdict{Question::of, {}, {}};
         const Asking<Question, Asked...> asking(*this, verdict, question, operands...);
         verdict.calculator = &asking;
@@ -235,7 +240,7 @@ protected:
             const auto taken = question.answer(exactly(), mapped(operands, truth_of)...);
             verdict.taken = answer(taken);
             verdict.truth.answer = verdict.taken;
-            (*judge)(verdict);
+            to(verdict);
             return taken;
         }
         const auto taken = question.answer(not_judged(), mapped(operands, value_of)...);
@@ -249,7 +254,7 @@ protected:
         } else if ((all(operands, is_finite) && ...)) {
             verdict.right_for_operands = taken == question.answer(exactly(), mapped(operands, value_exactly)...);
         }
-        (*judge)(verdict);
+        to(verdict);
         return taken;
     }
 
@@ -265,13 +270,18 @@ protected:
 public:
     /// The kernel must be one of numbers (Arithmetic::of).
     RunTimeKernel(const NamedKernel& kernel, const Followers& followers)
-        : RunTimeNumbers(RunTimeEntry{Arithmetic::of(kernel), followers.judge}),
+        : RunTimeNumbers(RunTimeEntry{Arithmetic::of(kernel), followers.hear_sign ? nullptr : followers.judge}),
           survey_(followers.survey),
-          hear_sign_(followers.hear_sign) {
+          hear_sign_(followers.hear_sign),
+          judge_of_compared_(followers.hear_sign ? followers.judge : nullptr) {
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
-    Sign sign(const Number& value) const { return heard(value.sign()); }
+    Sign sign(const Number& value) const {
+        const Sign taken = value.sign();
+        if (hear_sign_) (*hear_sign_)(taken);
+        return taken;
+    }
 
     /// The decision is judged once, where the value is computed.
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
@@ -349,17 +359,16 @@ public:
     static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
 
 protected:
-    bool judges_all() const { return is_judged() && !hear_sign_; }
-
-    Sign heard(Sign taken) const {
-        if (hear_sign_) (*hear_sign_)(taken);
-        return taken;
+    /// If someone hears the signs of a run, only the comparisons of its numbers are judged: its events report no other decision.
+    void tell_compared(const Number& v, const Number& w) const {
+        if (judge_of_compared_) judged_by(*judge_of_compared_, question::Compare{}, v, w);
     }
 
 private:
     std::optional<DepthBits> depth_bits_;
     const Surveyor* survey_;
     const HearSign* hear_sign_;
+    const Judge* judge_of_compared_;
 };
 
 /// Another name for the kernel, for which OnRegions computes its formulas in the kernel's numbers.
@@ -367,8 +376,7 @@ struct RunTimeRegionNumbers : RunTimeKernel {
     explicit RunTimeRegionNumbers(const RunTimeKernel& kernel) : RunTimeKernel(kernel) {}
 };
 
-/// For Weiler and Atherton's algorithm, whose decisions are judged as well. If someone hears every sign, only comparisons are judged: its
-/// events report no other decision.
+/// For Weiler and Atherton's algorithm, whose decisions are judged as well.
 template <>
 struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     using Base = OnRegions<RunTimeRegionNumbers>;
@@ -376,20 +384,20 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     explicit OnRegions(const RunTimeKernel& kernel) : Base(RunTimeRegionNumbers(kernel)) {}
 
     bool parallel(const Planes& p, const Planes& q) const {
-        return judges_all() ? decide(question::ParallelPlanes{}, p, q) : Base::parallel(p, q);
+        return is_judged() ? decide(question::ParallelPlanes{}, p, q) : Base::parallel(p, q);
     }
     bool parallel(const Edge& line, const Edge& other) const {
-        return judges_all() ? decide(question::ParallelEdges{}, line, other) : Base::parallel(line, other);
+        return is_judged() ? decide(question::ParallelEdges{}, line, other) : Base::parallel(line, other);
     }
 
     Sign side(const Edge& line, const Place& p) const {
-        return judges_all() ? decide(question::Side{}, line, p) : Base::side(line, p);
+        return is_judged() ? decide(question::Side{}, line, p) : Base::side(line, p);
     }
     Sign side(const Edge& line, const LoopVertex<Number>& v) const {
         return v.on(line) ? Sign::zero : side(line, v.at);
     }
     bool left_of(const Place& p, const Edge& line) const {
-        return judges_all() ? decide(question::LeftOf{}, p, line) : Base::left_of(p, line);
+        return is_judged() ? decide(question::LeftOf{}, p, line) : Base::left_of(p, line);
     }
 
     Place meet(const Edge& line, const Edge& other) const {
@@ -399,18 +407,21 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     }
 
     Sign order(const Place& p, const Place& q) const {
-        return judges_all() ? decide(question::Order{}, p, q) : Base::order(p, q);
+        return is_judged() ? decide(question::Order{}, p, q) : Base::order(p, q);
     }
-    Sign order_of_rows(const Place& p, const Place& q) const { return compare(p.y, q.y); }
+    Sign order_of_rows(const Place& p, const Place& q) const {
+        return is_judged() ? compare(p.y, q.y) : Base::order_of_rows(p, q);
+    }
     bool same_place(const LoopVertex<Number>& v, const LoopVertex<Number>& w) const {
         return Base::meet_once(*this, v, w) || order(v.at, w.at) == Sign::zero;
     }
 
     Sign turn(const Place& pivot, const Place& p, const Place& q) const {
-        return judges_all() ? decide(question::Turn{}, pivot, p, q) : Base::turn(pivot, p, q);
+        return is_judged() ? decide(question::Turn{}, pivot, p, q) : Base::turn(pivot, p, q);
     }
     Sign compare(const Number& v, const Number& w) const {
-        return is_judged() ? heard(decide(question::Compare{}, v, w)) : Base::compare(v, w);
+        tell_compared(v, w);
+        return is_judged() ? decide(question::Compare{}, v, w) : Base::compare(v, w);
     }
 };
 
