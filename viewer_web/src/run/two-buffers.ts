@@ -1,6 +1,6 @@
 /**
  * Copies bytes into two buffers in turn, because new memory takes several times as long to fill. A copy lasts until the copy
- * after the next one; from then on it is empty.
+ * after the next one. If that takes its memory, it is empty from then on.
  */
 export class TwoBuffers {
   private older = new ArrayBuffer(0);
