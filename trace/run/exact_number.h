@@ -108,6 +108,15 @@ inline std::optional<double> result(std::divides<>, double a, double b) {
 }  // namespace unrounded
 
 class ExactNumber {
+    bool has_doubles() const { return !std::isnan(over_); }
+
+    auto as_rational(auto&& use) const {
+        if (!shared_ && under_ == 1) return use(Rational(over_));
+        // Kept, since a slope is added at each pixel of a row.
+        if (!shared_) shared_ = std::make_shared<Shared>(Rational(over_) / Rational(under_));
+        return use(shared_->value);
+    }
+
 public:
     /// No number.
     ExactNumber() = default;
@@ -115,13 +124,14 @@ public:
     explicit ExactNumber(double value) : ExactNumber(value, 1) {}
     explicit ExactNumber(Rational value) : shared_(std::make_shared<Shared>(std::move(value))) {}
 
-    explicit operator bool() const { return shared_ || !std::isnan(over_); }
+    explicit operator bool() const { return shared_ || has_doubles(); }
 
     /// The number as a double; none if it is stored otherwise.
-    std::optional<double> as_double() const { return shared_ || under_ != 1 ? std::nullopt : std::optional(over_); }
+    std::optional<double> as_double() const {
+        return has_doubles() && under_ == 1 ? std::optional(over_) : std::nullopt;
+    }
     Rational rational() const {
-        if (shared_) return shared_->value;
-        return under_ == 1 ? Rational(over_) : Rational(Rational(over_) / Rational(under_));
+        return as_rational([](const Rational& value) { return value; });
     }
 
     /// The nearest double or one next to it.
@@ -130,7 +140,7 @@ public:
         return value ? *value : CGAL::to_double(rational());
     }
     Sign sign() const {
-        return shared_ ? Sign{int(CGAL::sign(shared_->value))} : Sign{int(over_ > 0) - int(over_ < 0)};
+        return has_doubles() ? Sign{int(over_ > 0) - int(over_ < 0)} : Sign{int(CGAL::sign(shared_->value))};
     }
     int whole_part(int low, int end) const {
         const auto value = as_double();
@@ -145,19 +155,19 @@ public:
     }
 
     friend ExactNumber operator-(const ExactNumber& a) {
-        return a.shared_ ? ExactNumber(Rational(-a.shared_->value)) : ExactNumber(-a.over_, a.under_);
+        return a.has_doubles() ? ExactNumber(-a.over_, a.under_) : ExactNumber(Rational(-a.shared_->value));
     }
 
     /// The result of std::plus, minus, multiplies or divides. A divisor must not be 0.
     static ExactNumber result(const ExactNumber& a, const ExactNumber& b, auto operation) {
-        if (!a.shared_ && !b.shared_) {
+        if (a.has_doubles() && b.has_doubles()) {
             if (ExactNumber found = of_doubles(a, b, operation)) return found;
         }
         return as_rationals(a, b, [&](const auto& p, const auto& q) { return ExactNumber(Rational(operation(p, q))); });
     }
     /// Whether std::less, equal_to or another relation holds.
     static bool related(const ExactNumber& a, const ExactNumber& b, auto relation) {
-        if (!a.shared_ && !b.shared_) {
+        if (a.has_doubles() && b.has_doubles()) {
             if (a.under_ == b.under_) return relation(a.over_, b.over_);
             const auto left = product(a.over_, b.under_), right = product(b.over_, a.under_);
             if (left && right) return relation(*left, *right);
@@ -201,16 +211,15 @@ private:
         return quotient(unrounded::result(plus_or_minus, *left, *right), product(a.under_, b.under_));
     }
 
-    auto as_rational(auto&& use) const { return shared_ ? use(shared_->value) : use(rational()); }
     static auto as_rationals(const ExactNumber& a, const ExactNumber& b, auto&& use) {
         return a.as_rational(
             [&](const Rational& p) { return b.as_rational([&](const Rational& q) { return use(p, q); }); });
     }
 
-    // The number is over / under, unless it is shared. The denominator is positive.
+    // The number is over / under, unless it has no doubles. The denominator is positive.
     double over_ = std::numeric_limits<double>::quiet_NaN();
     double under_ = 1;
-    std::shared_ptr<Shared> shared_;
+    mutable std::shared_ptr<Shared> shared_;  // the number as a rational, once it is needed
 };
 
 }  // namespace vidno

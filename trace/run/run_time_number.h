@@ -168,8 +168,11 @@ private:
     /// `use(p, q)` of the two as exact numbers; a default Result if one of them is undefined.
     template <class Result>
     static Result of_exact(const RunTimeNumber& a, const RunTimeNumber& b, auto&& use) {
-        const ExactNumber p = a.exactly(), q = b.exactly();
-        return p && q ? Result(use(p, q)) : Result();
+        const auto used = [&](const ExactNumber& p, const ExactNumber& q) {
+            return p && q ? Result(use(p, q)) : Result();
+        };
+        if (a.is_constant()) return used(ExactNumber(a.value_), b.exactly());
+        return b.is_constant() ? used(a.exact_, ExactNumber(b.value_)) : used(a.exact_, b.exact_);
     }
 
     /// Neither exact nor judged.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integer_gcd.h"
+#include "quotient.h"
 #include "rounded_up.h"
 #include "split_double.h"
 #include "vidno/admission.h"

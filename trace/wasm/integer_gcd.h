@@ -104,6 +104,10 @@ inline LongInteger lehmer_gcd(LongInteger u, LongInteger v) {
 
 // Overload resolution prefers this function, which is no template, to Boost's own.
 inline void eval_gcd(LongInteger& result, const LongInteger& a, const LongInteger& b) {
+    if (fits_64_bits(a) && fits_64_bits(b)) {
+        result = static_cast<unsigned long long>(std::gcd(bits_from(a, 0), bits_from(b, 0)));
+        return;
+    }
     // Most denominators are powers of two, since the numbers of a scene are doubles.
     if (eval_get_sign(a) != 0 && eval_get_sign(b) > 0 && is_power_of_two(b)) {
         const unsigned zeros = std::min(trailing_zeros(a), trailing_zeros(b));
