@@ -1,8 +1,9 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { browser } from './browser.js';
+import { browser, settled } from './browser.js';
 import { goTo, open, opened, placesOf, sampleTrace, small, widthOf } from './page.js';
+import { openReader } from './reader.js';
 
 describe('the layout', () => {
   it.each(['en', 'ru'])('clips and moves nothing at any width, in %s', async (language) => {
@@ -56,6 +57,58 @@ describe('the layout', () => {
     expect(player.y + player.height).toBeGreaterThan(viewport.height);
     expect(dock.y + dock.height).toBeLessThanOrEqual(viewport.height);
   });
+});
+
+/** By how many CSS pixels the controls stick out of their row, and the dock covers the picture. */
+const overlaps = (page: Page): Promise<{ readonly out: number; readonly covered: number }> =>
+  page.evaluate(() => {
+    const boxOf = (e: Element | null | undefined): DOMRect => {
+      if (!e) throw new Error('no run is shown');
+      return e.getBoundingClientRect();
+    };
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    const find = (part: string): Element | null | undefined =>
+      player?.shadowRoot?.querySelector(part);
+    const transport = find('vidno-transport');
+    const controls =
+      transport?.shadowRoot?.querySelectorAll('button, select, input, .number') ?? [];
+    const rights = [...controls]
+      .filter((e) => e.checkVisibility() && getComputedStyle(e).clipPath === 'none')
+      .map((e) => e.getBoundingClientRect().right);
+    const picture = find('vidno-picture-panel')?.shadowRoot?.querySelector('vidno-picture');
+    return {
+      out: Math.max(0, Math.round(Math.max(...rights) - boxOf(transport).right)),
+      covered: Math.max(0, Math.round(boxOf(picture).bottom - boxOf(find('.dock')).top)),
+    };
+  });
+
+// At the end of a run the button is longest: "Play from the start".
+describe.each(['en', 'ru'])('at the end of a run, in %s', (language) => {
+  it.each(['lesson', 'workbench'])(
+    'the controls fit and cover no part of the picture at any width, in the view %s',
+    async (view) => {
+      const { page } = await openReader(browser, `#lang=${language}&lesson=first&view=${view}`, {
+        viewport: { width: 320, height: 844 },
+      });
+      await page.keyboard.press('End');
+      for (const text of ['with the text', 'without it']) {
+        for (let width = 320; width <= 1500; width += 40) {
+          await page.setViewportSize({ width, height: 844 });
+          await settled(page);
+          expect(await overlaps(page), `${text}, ${width} px`).toEqual({ out: 0, covered: 0 });
+        }
+        await page.keyboard.press('r');
+      }
+    },
+  );
+});
+
+it('opens at its top on a small phone, with more than fits', async () => {
+  const { page } = await openReader(browser, '#lang=en', { viewport: { width: 360, height: 640 } });
+  await page.locator('vidno-player').waitFor();
+  await settled(page);
+  expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeGreaterThan(640);
+  expect(await page.evaluate(() => scrollY)).toBe(0);
 });
 
 /** The steps, out of about 200, at which the sentence does not fit into its box, each with its sentence. */

@@ -179,16 +179,20 @@ export const appStyle = css`
       --pad: 0px;
       --foot: 0px;
       --legend: none;
-      --room: calc(100dvh - 3.25rem);
+      --dock: 6.9rem;
+      --room: calc(max(${leastPanel}, min(100vw, 50dvh)) + var(--dock));
       grid-template:
         'header' auto
         'main' auto
         'reader' minmax(min(17.5rem, 100dvh), 1fr) / minmax(0, 1fr);
       gap: 0.4rem 0;
     }
+    :host([reading][view='workbench']) {
+      --dock: 16.6rem;
+    }
     /* As high as the picture and the dock; the panels are below, and the page scrolls to them. */
     :host([reading]) main {
-      height: max(${leastPanel} + 7rem, min(100vw, 50dvh) + 6.9rem);
+      height: var(--room);
       overflow: auto;
     }
     :host([reading]) main:has(> vidno-player[asking]) {

@@ -235,18 +235,22 @@ export const playerStyle = css`
   /* One column: the picture and the dock fill the screen or the available room, and the panels follow. */
   @container (max-width: 703px) {
     .stage {
+      --usual-dock: 8.5rem;
       flex: none;
       grid-template:
         'picture' minmax(
           min-content,
           clamp(
             ${leastPanel},
-            var(--room, 100dvh - 3.25rem) - 8.5rem,
+            var(--room, 100dvh - 3.25rem) - var(--dock, var(--usual-dock)),
             100cqw + var(--foot, 2.25rem)
           )
         )
         'dock' auto
         'beside' auto / minmax(0, 1fr);
+    }
+    :host([layout='workbench']) .stage {
+      --usual-dock: 14.9rem;
     }
     vidno-divider {
       display: none;
@@ -302,6 +306,9 @@ export const playerStyle = css`
     :host(:not([src])) :is(section, .dock) {
       border-inline: 0;
       border-radius: 0;
+    }
+    :host([layout='workbench']) .stage {
+      --usual-dock: 16.6rem;
     }
     :host([layout='workbench']) .sentence {
       height: 4.4rem;

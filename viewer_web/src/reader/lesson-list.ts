@@ -1,9 +1,10 @@
 import { LitElement, css, html, nothing } from 'lit';
-import type { PropertyValues, TemplateResult } from 'lit';
+import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { Setup } from './address.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
+import { Follower } from '../picture/in-sight.js';
 import { idOf } from '../lessons/lessons.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
 import { addressIn } from './links.js';
@@ -148,12 +149,12 @@ export class LessonListElement extends LitElement {
   @property({ attribute: false }) story: Story | null = null;
   @property({ attribute: false }) heading: string | null = null;
 
-  override updated(changed: PropertyValues<this>): void {
-    if (!changed.has('story') || this.story === null) return;
-    this.renderRoot
-      .querySelector('[aria-current=page]')
-      ?.closest('li')
-      ?.scrollIntoView({ block: 'nearest' });
+  /** Scrolls the contents to the current lesson, never the page. */
+  private readonly follower = new Follower();
+
+  override updated(): void {
+    const current = this.renderRoot.querySelector('[aria-current=page]')?.closest('li') ?? null;
+    this.follower.follow(this.closest('nav'), current);
   }
 
   override render(): TemplateResult {

@@ -81,11 +81,17 @@ export const transportStyle = css`
   :host([brief]) :is(vidno-slider, slot) {
     grid-column: auto;
   }
-  @container (max-width: 703px) {
+  @container (max-width: 920px) {
     :host([brief]) {
       gap: 0.5rem;
     }
-    :host([brief]) :is(.words, .step > span:first-child) {
+    :host([brief]) .step > span:first-child {
+      position: absolute;
+      clip-path: inset(50%);
+    }
+  }
+  @container (max-width: 830px) {
+    :host([brief]) .words {
       position: absolute;
       clip-path: inset(50%);
     }
@@ -138,7 +144,7 @@ export const transportStyle = css`
       min-width: 2.25rem;
     }
     input[type='number'] {
-      width: 3.7rem;
+      width: 3.5rem;
       padding: 0 0.25rem;
     }
     select {

@@ -67,12 +67,7 @@ export const travelStyle = css`
   :host([brief]) select {
     width: 11rem;
   }
-  @container (max-width: 900px) {
-    :host([brief]) select {
-      width: 8.5rem;
-    }
-  }
-  @container (max-width: 703px) {
+  @container (max-width: 920px) {
     :host([brief]) select {
       width: 7rem;
     }
