@@ -97,7 +97,7 @@ export const playerStyle = css`
   }
   .beside:has(> .side.solid) {
     --side-share: 2fr;
-    --caption: 4.4em;
+    --caption: 5.3em;
   }
   .beside:has(> .side:is(.exact, .predict)) {
     --side-share: 2fr;

@@ -84,6 +84,13 @@ export const presenterStyle = css`
     font-size: 1.25rem;
     line-height: 1.3;
   }
+  @media (max-width: 520px) {
+    :host([presenting]) .sentence {
+      height: 5.5rem;
+      font-size: 0.875rem;
+      line-height: 1.2;
+    }
+  }
   :host([presenting]) :is(vidno-transport, vidno-divider) {
     display: none;
   }

@@ -62,7 +62,7 @@ export const exact: ExactTexts = {
     count: (count) => `Решений: ${count}`,
     withNumbers: 'и равные числа',
     more: 'Показать ещё',
-    polygons: 'Многоугольники',
+    polygons: 'Много\u00ADугольники',
     columns: { step: 'Шаг', kind: 'Вид', ulps: 'До нуля, ulp' },
     kinds: { wrong: 'неверно', point: 'точка смещена', zero: 'точный нуль', narrow: 'на грани' },
     coincidences: {
