@@ -198,7 +198,7 @@ describe('a broken line of the listing', () => {
     await page.locator('.title h2', { hasText: 'A line below another' }).waitFor();
     await breakLine(page, 'FH6', 'printed:x-h1');
     // The second line lies below the first over all four columns, and is not drawn.
-    expect(await result(page)).toBe('Curves change over 4 columns.');
+    expect(await result(page)).toBe('Columns over which curves change: 4.');
     expect(faults).toEqual([]);
   });
 

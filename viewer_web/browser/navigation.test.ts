@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
 import { editing, rerun, run, title } from './live.js';
-import { goTo, open, openContents, openFile, shown, small } from './page.js';
+import { goTo, open, openContents, opened, openFile, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
@@ -37,6 +37,26 @@ describe('Back', () => {
     }
     await page.goForward();
     await expect.poll(() => step(page)).toBe(43);
+    expect(faults).toEqual([]);
+  });
+
+  it('undoes jumps in a file of the reader’s own, which no address can name', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await settled(page);
+    for (const at of [40, 300, 7]) {
+      await goTo(page, at);
+      await settled(page);
+      await page.locator(title).click();
+      await settled(page);
+    }
+    for (const at of [300, 40]) {
+      await page.goBack();
+      await expect.poll(() => step(page)).toBe(at);
+      await settled(page);
+    }
+    await page.goForward();
+    await expect.poll(() => step(page)).toBe(300);
     expect(faults).toEqual([]);
   });
 

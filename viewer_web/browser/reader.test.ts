@@ -88,6 +88,21 @@ describe('the text of a lesson', () => {
     await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
   });
 
+  it('is chosen from a list by keyboard, which keeps the focus', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    const list = page.locator('vidno-reader .bar select');
+    await list.focus();
+    for (const [key, lesson] of [
+      ['ArrowDown', 'second'],
+      ['ArrowUp', 'first'],
+    ] as const) {
+      await page.keyboard.press(key);
+      await page.waitForFunction((id) => location.hash.includes(`lesson=${id}`), lesson);
+      await expect.poll(() => list.evaluate((e: HTMLSelectElement) => e.value)).toBe(lesson);
+      await expect.poll(() => list.evaluate((e) => e.matches(':focus'))).toBe(true);
+    }
+  });
+
   it('is absent for a lesson without one, and for a file of the reader’s own', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=third');
     expect(await page.locator('vidno-reader').count()).toBe(0);

@@ -57,26 +57,25 @@ export const appStyle = css`
       flex: 1 0 0;
     }
   }
+  /* The name and below it the settings of the run. */
   .title {
     display: flex;
-    gap: 0.5rem;
-    align-items: baseline;
+    flex-direction: column;
+    align-items: flex-start;
+    justify-content: center;
     min-width: 0;
   }
+  .title > * {
+    max-width: 100%;
+  }
   .title h2 {
-    min-width: 0;
     overflow: hidden;
     color: var(--ink);
     font-size: 1rem;
+    line-height: 1.25rem;
     letter-spacing: 0;
     text-overflow: ellipsis;
     white-space: nowrap;
-  }
-  /* Without room for both, the name is cut before the algorithm. */
-  @media (max-width: 1199px) {
-    .title h2 {
-      flex-shrink: 1000;
-    }
   }
   .offer {
     display: block;

@@ -27,6 +27,7 @@ import { base, tokens } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { preferredLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
+import { nameIn } from '../language/scene-name.js';
 import { embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
@@ -403,7 +404,10 @@ export class AppElement extends LitElement implements Shown, Told {
         .library=${session.library}
         @choose=${({ detail }: CustomEvent<Entry>) => this.ways.replace(() => this.openEntry(detail))}
       ></vidno-gallery>
-      <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
+      <vidno-discard
+        .language=${language}
+        .name=${nameIn(language, live.editing?.sketch.name ?? '')}
+      ></vidno-discard>
     `;
   }
 
@@ -428,6 +432,6 @@ export class AppElement extends LitElement implements Shown, Told {
     const isOpen = (trace: LessonTrace): boolean => idOf(trace) === session.lesson;
     const lesson = this.lessons.find(({ traces }) => traces.some(isOpen));
     const run = lesson?.traces.find(isOpen)?.title ?? lesson?.title;
-    return run?.[setup.language] ?? session.name;
+    return run?.[setup.language] ?? nameIn(setup.language, session.name);
   }
 }

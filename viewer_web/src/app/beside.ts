@@ -57,7 +57,7 @@ export function reader(page: Told): TemplateResult {
       class="fold"
       name="text"
       place="page"
-      label=${texts[setup.language].page.divider}
+      label=${texts[setup.language].page.sizeOf.text}
       ?hidden=${!page.isReading}
     ></vidno-divider>
     <vidno-reader

@@ -4,7 +4,15 @@ import type { DiscardElement } from '../editor/discard.js';
 import type { TimedElement } from '../player/timed.js';
 import { addressNow, addressOf } from './sharing.js';
 import type { Shared } from './sharing.js';
+import type { Pixel } from '../picture/pixel.js';
 import { Trail, isJump } from './trail.js';
+
+/** A place in a file of the reader's own. An address cannot name the file, so the browser's history keeps its number. */
+interface FilePlace {
+  readonly file: number;
+  readonly step: number;
+  readonly pixel: Pixel | null;
+}
 
 /** The parts of the page that navigation needs. */
 export interface Travelled extends Shared, ReactiveControllerHost {
@@ -14,7 +22,12 @@ export interface Travelled extends Shared, ReactiveControllerHost {
 
 /** Navigation away from what is shown. Each move can be undone, and none discards edits without asking. */
 export class Navigation implements ReactiveController {
-  private readonly trail = new Trail(() => addressOf(this.host));
+  private readonly trail = new Trail(
+    () => addressOf(this.host),
+    () => this.place(),
+  );
+  private readonly files = new WeakMap<Blob, number>();
+  private opened = 0;
 
   constructor(private readonly host: Travelled) {
     host.addController(this);
@@ -22,10 +35,12 @@ export class Navigation implements ReactiveController {
 
   hostConnected(): void {
     window.addEventListener('hashchange', this.onAddress);
+    window.addEventListener('popstate', this.onPlace);
   }
 
   hostDisconnected(): void {
     window.removeEventListener('hashchange', this.onAddress);
+    window.removeEventListener('popstate', this.onPlace);
   }
 
   /** Writes the address after a change. */
@@ -51,6 +66,21 @@ export class Navigation implements ReactiveController {
     if (!playing && isJump(session.place.step, step)) this.leave();
     session.move({ step });
   }
+
+  private place(): FilePlace | null {
+    const { file, place } = this.host.session;
+    if (file === null) return null;
+    const known = this.files.get(file) ?? ++this.opened;
+    this.files.set(file, known);
+    return { file: known, step: place.step, pixel: place.pixel };
+  }
+
+  /** *Back* or *Forward* between two places of the same file. */
+  private readonly onPlace = ({ state }: PopStateEvent): void => {
+    const kept = state as FilePlace | null;
+    if (kept === null || kept.file !== this.place()?.file) return;
+    this.host.session.move({ step: kept.step, pixel: kept.pixel });
+  };
 
   /** The address was changed by a link, by *Back* or by hand. */
   private readonly onAddress = (): void => void this.visit();

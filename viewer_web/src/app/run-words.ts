@@ -20,13 +20,14 @@ export class RunWordsElement extends LitElement {
       }
       button {
         max-width: 100%;
-        min-height: 1.75rem;
-        padding: 0 0.4rem;
+        min-height: 1.5rem;
+        padding: 0;
         overflow: hidden;
         border-color: transparent;
         background: none;
         color: var(--soft);
-        font-size: 0.8125rem;
+        font-size: 0.75rem;
+        line-height: 1rem;
         text-overflow: ellipsis;
         white-space: nowrap;
       }

@@ -7,7 +7,9 @@ import '../compare/comparison-element.js';
 import type { Act } from '../editor/editor.js';
 import { speedFor } from '../elements/clock.js';
 import { texts } from '../i18n/index.js';
+import type { Check } from '../exactness/truth.js';
 import type { Language } from '../language/language.js';
+import { nameIn } from '../language/scene-name.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
@@ -16,6 +18,7 @@ import { isComparedUnasked } from '../player/verdict.js';
 import type { Keeper } from '../predict/keeper.js';
 import type { Setup } from '../reader/address.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../replay/trace.js';
 import { deviationOf } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import { brokenBeside } from './breaking.js';
@@ -44,16 +47,32 @@ export interface Shown {
   readonly ways: Navigation;
 }
 
-/** The exact picture, computed while its layer is shown, or for the verdict on a small run. Runs of curves have none. */
+/** Whether the verdict on a run waits for a comparison that nobody needs to request. */
+function isAwaited({ isResting, place, steps }: Session, trace: Trace): boolean {
+  const isOver = trace.complete && place.step >= steps;
+  return isOver && isResting && isComparedUnasked(trace);
+}
+
+/** The exact picture, computed while its layer is shown, or for the verdict. Runs of curves have none. */
 function exactOf({ session, setup }: Shown): Exact {
   const { trace, exact } = session;
   if (trace === null) return null;
   const { header } = trace;
   if (header.scene.curves !== null) return null;
-  const isOver = trace.complete && session.place.step >= session.steps;
-  const isAwaited = isOver && session.isResting && isComparedUnasked(header);
-  const isWanted = needsExact(setup.layer) || isAwaited;
+  const isWanted = needsExact(setup.layer) || isAwaited(session, trace);
   return isWanted ? exact.of(header) : exact.unasked(header);
+}
+
+/** The check of the run. For the verdict on a run of curves it begins without a request. */
+function checkOf({ session }: Shown): Check | null {
+  const { trace, checks } = session;
+  if (trace === null || checks === null) return null;
+  const check = checks.of(trace);
+  const isWanted =
+    trace.header.scene.curves !== null && check.is === 'unchecked' && isAwaited(session, trace);
+  // Not now, since it changes what the page renders.
+  if (isWanted) queueMicrotask(() => checks.ask(trace));
+  return check;
 }
 
 /** The player. It is hidden while its run is shown beside another one. */
@@ -88,7 +107,7 @@ export function alone(page: Shown): TemplateResult {
       .exact=${exactOf(page)}
       .maps=${session.maps}
       .margin=${live.editing?.chosen ? trace && session.marginAt(trace, live.editing.chosen) : null}
-      .check=${trace && (session.checks?.of(trace) ?? null)}
+      .check=${checkOf(page)}
       .editing=${live.editing}
       .link=${live.link}
       ?breakable=${session.canRun}
@@ -186,7 +205,7 @@ function noteOf({ session, setup }: Shown): string {
   const { rival, trace } = session;
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
   const name = rival.trace?.header.scene.name ?? '';
-  return name === trace?.header.scene.name ? '' : name;
+  return name === trace?.header.scene.name ? '' : nameIn(setup.language, name);
 }
 
 /** The button for a surface of the reader's own, if the page can run scenes. */

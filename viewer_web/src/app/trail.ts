@@ -8,13 +8,17 @@ export class Trail {
   private timer = 0;
   private moved = -Infinity;
 
-  constructor(private readonly compose: () => Promise<string>) {}
+  /** `place` is kept with each entry: what the address cannot hold. */
+  constructor(
+    private readonly compose: () => Promise<string>,
+    private readonly place: () => unknown,
+  ) {}
 
   /** Writes the address soon after a change. */
   write(): void {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
-      void this.compose().then((address) => history.replaceState(null, '', address));
+      void this.compose().then((address) => history.replaceState(this.place(), '', address));
     }, pause);
   }
 
@@ -23,7 +27,7 @@ export class Trail {
     const isSame = performance.now() < this.moved + same;
     this.moved = performance.now();
     if (isSame) return;
-    if (address !== null) history.replaceState(null, '', address);
+    if (address !== null) history.replaceState(this.place(), '', address);
     history.pushState(null, '', location.href);
     this.write();
   }

@@ -9,12 +9,15 @@ import { CellPainter, opaque } from '../picture/paint.js';
 import { isPainted } from '../replay/grid.js';
 import type { Grid } from '../replay/grid.js';
 import type { Deviation } from '../trace/editions.js';
+import { numberOf } from '../trace/events.js';
+import { linesIn } from '../listing/listings.js';
 import type { Comparison } from './comparison.js';
 import { pictureAt } from './difference.js';
 import type { Steps } from './parting.js';
 
 /** The side of a picture, in CSS pixels. */
 const side = 72;
+const fault = numberOf.get('fault') ?? -1;
 /** The colour of cells that are the same in both pictures. */
 const same = 0xffe6e2de;
 const unpainted = 0xffffffff;
@@ -102,7 +105,8 @@ export class BrokenLineElement extends LitElement {
 
   override render(): TemplateResult {
     const { say, deviation, language, smallest } = this;
-    const { lines, title, says } = deviation;
+    const { title, says } = deviation;
+    const lines = linesIn(this.comparison.one.header.method, deviation);
     return html`
       <div class="says">
         <h2>
@@ -136,8 +140,19 @@ export class BrokenLineElement extends LitElement {
     </button>`;
   }
 
-  /** The effect of the broken line on the picture. */
+  /** What the broken line leads to: a fault of the run, and a change of the picture. */
   private result(): string {
+    const { say, comparison, language, complete } = this;
+    const [right, at] = [comparison.one, comparison.other].map(({ timeline }) =>
+      timeline.names.indexOf(fault),
+    );
+    const change = this.change();
+    return !complete || right !== -1 || at === undefined || at < 0
+      ? change
+      : `${say.fault((at + 1).toLocaleString(language))} ${change}`;
+  }
+
+  private change(): string {
     const { say, comparison, language, atEnd, text, complete } = this;
     if (atEnd === null) return texts[language].compare.searching;
     if (atEnd > 0) {

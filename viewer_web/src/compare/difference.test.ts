@@ -19,6 +19,20 @@ describe('two runs of curves', () => {
     expect(differingColumns([line(0, 0, 2)], [line(1, 0, 2)])).toBe(6);
   });
 
+  it('differ by a gap between two columns over which both have a line', () => {
+    const points = [line(0, 0, 0), line(0, 1, 1)];
+    expect(differingColumns([line(0, 0, 1)], points)).toBe(1);
+    expect(differingColumns([line(0, 0, 2)], [line(0, 0, 1), line(0, 2, 2)])).toBe(1);
+  });
+
+  it('do not differ if one draws in two pieces what the other draws in one', () => {
+    const halves: readonly Line[] = [
+      { curve: 0, from: [0, 1], to: ['1/3', 1], columns: [0, 0] },
+      { curve: 0, from: ['1/3', 1], to: [1, 1], columns: [1, 1] },
+    ];
+    expect(differingColumns([line(0, 0, 1)], halves)).toBe(0);
+  });
+
   it('cannot be compared with a run of polygons', async () => {
     const curves = await traceOf(textOf('crossing.floating-horizon.signs.jsonl'));
     const polygons = await traceOf(textWith(headerOf('warnock'), []));

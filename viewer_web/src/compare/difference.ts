@@ -1,4 +1,5 @@
 import type { Line } from '../replay/lines.js';
+import { toNumber } from '../language/words.js';
 import { differenceOf } from '../picture/layers.js';
 import type { Grid } from '../replay/grid.js';
 import type { Trace } from '../replay/trace.js';
@@ -24,11 +25,40 @@ function drawnOver(lines: readonly Line[]): ReadonlySet<string> {
   return drawn;
 }
 
-/** The number of columns of all curves over which only one of two runs has a line. */
+/** For each curve and column, how much of the way to the next column is drawn: from 0 to 1. */
+function drawnAfter(lines: readonly Line[]): ReadonlyMap<string, number> {
+  const drawn = new Map<string, number>();
+  for (const { curve, from, to } of lines) {
+    const [begin, end] = [toNumber(from[0]), toNumber(to[0])].sort((a, b) => a - b);
+    if (begin === undefined || end === undefined) continue;
+    for (let x = Math.floor(begin); x < end; x++) {
+      const part = Math.min(end, x + 1) - Math.max(begin, x);
+      const column = `${curve} ${x}`;
+      drawn.set(column, (drawn.get(column) ?? 0) + part);
+    }
+  }
+  return drawn;
+}
+
+/** Far less than a pixel, and far more than the rounding of a sum of parts. */
+const visible = 1e-6;
+
+/**
+ * The number of columns of all curves over which only one of two runs has a line. If both have one over a column and the
+ * next, but a gap between them in only one run, that counts as a column, too.
+ */
 export function differingColumns(one: readonly Line[], other: readonly Line[]): number {
   const [drawn, drawnThere] = [drawnOver(one), drawnOver(other)];
-  const both = [...drawn].filter((each) => drawnThere.has(each)).length;
-  return drawn.size + drawnThere.size - 2 * both;
+  const [after, afterThere] = [drawnAfter(one), drawnAfter(other)];
+  const differs = (column: string): boolean => drawn.has(column) !== drawnThere.has(column);
+  const isGap = (column: string): boolean => {
+    const [curve, x] = column.split(' ');
+    const change = Math.abs((after.get(column) ?? 0) - (afterThere.get(column) ?? 0));
+    return change > visible && !differs(column) && !differs(`${curve} ${Number(x) + 1}`);
+  };
+  const columns = new Set([...drawn, ...drawnThere]);
+  const between = new Set([...after.keys(), ...afterThere.keys()]);
+  return [...columns].filter(differs).length + [...between].filter(isGap).length;
 }
 
 /** How much two runs differ after these steps, in pixels or in columns; null if they cannot be compared. */

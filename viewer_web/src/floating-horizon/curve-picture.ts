@@ -27,8 +27,14 @@ export class CurvePictureElement extends PlaneElement {
     pictureStyle,
     curvesStyle,
     css`
+      /* White paper in every theme, also beside the area. */
       :host {
         background: #ffffff;
+      }
+      vidno-axes {
+        --well: #ffffff;
+        --soft: #566070;
+        --ink: #171b24;
       }
     `,
   ];

@@ -13,7 +13,7 @@ import { polygonName, swatch } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
-import { bringInSight } from '../picture/in-sight.js';
+import { Follower } from '../picture/in-sight.js';
 import type { Pixel } from '../picture/pixel.js';
 import { toColor } from '../replay/grid.js';
 import type { Command } from '../time/command.js';
@@ -192,6 +192,7 @@ export class HistoryElement extends LitElement {
   }
 
   private followed = '';
+  private readonly follower = new Follower();
 
   /** Scrolls within the list, and only when another entry has to be in sight. */
   private follow(): void {
@@ -202,7 +203,8 @@ export class HistoryElement extends LitElement {
     const box = this.renderRoot.querySelector('.entries');
     const entry = this.renderRoot.querySelector(`[data-step="${step}"]`);
     if (!(box instanceof HTMLElement) || !(entry instanceof HTMLElement)) return;
-    bringInSight(box, entry, 32);
+    this.follower.follow(null, null); // the element may have shown another entry before
+    this.follower.follow(box, entry, 32);
   }
 }
 

@@ -58,6 +58,7 @@ export interface BrokenTexts {
   readonly first: (step: string) => string;
   readonly pixels: (n: string, all: string) => string;
   readonly columns: (n: string) => string;
+  readonly fault: (step: string) => string;
   readonly stepsAlone: string;
   readonly nothing: string;
   readonly smallest: string;

@@ -237,7 +237,8 @@ export interface PageTexts extends FileTexts {
   /** The label of the button that shows the tools where there is no room for them. */
   readonly tools: string;
   /** A line between two panels, which may be dragged. */
-  readonly divider: string;
+  /** The dividers, by the part whose size they change. */
+  readonly sizeOf: Readonly<Record<'text' | 'picture' | 'listing' | 'scene', string>>;
   readonly news: NewsTexts;
   readonly present: string;
   readonly leave: string;

@@ -14,6 +14,9 @@ export interface VerdictTexts {
   readonly someWrong: (n: number) => string;
   readonly comparing: string;
   readonly notCompared: string;
+  readonly decisionsRight: string;
+  /** The number of steps. */
+  readonly decisionsWrong: (n: number) => string;
   readonly windows: (n: number) => string;
   readonly comparisons: (n: number) => string;
   readonly regions: (n: number) => string;

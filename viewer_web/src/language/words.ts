@@ -44,6 +44,10 @@ export function shortApart(a: N, b: N): readonly [string, string] {
   return looks[0] === looks[1] && a !== b ? [inFull(a), inFull(b)] : looks;
 }
 
+/** The mark of a shortened number, also for one that is not exact. */
+export const approximately = (shortened: string): string =>
+  shortened.startsWith('≈') ? shortened : `≈${shortened}`;
+
 /** A number with all its digits. */
 export const whole = (value: N): string => String(value).replaceAll('-', '−').replace('inf', '∞');
 

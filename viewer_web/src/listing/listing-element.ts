@@ -17,6 +17,9 @@ import type { Line, Listing } from './listings.js';
 import './wrong-lines.js';
 import type { WrongLine, WrongLinesElement } from './wrong-lines.js';
 
+/** The longest note that fits beside a line. */
+const usual = 18;
+
 interface LineKind {
   readonly now: boolean;
   readonly caller: boolean;
@@ -170,10 +173,10 @@ export class ListingElement extends LitElement {
     `;
   }
 
-  /** The last note of the line. Its place remains when it is empty, so that no line moves. */
+  /** The last note of the line. Its place remains when it is empty, so that no line moves unless a note is long. */
   private said(at: string): TemplateResult {
     const said = this.values.get(at) ?? '';
-    return html`<var title=${said}>${said}</var>`;
+    return html`<var class=${said.length > usual ? 'long' : ''} title=${said}>${said}</var>`;
   }
 
   private defect(id: string): TemplateResult {

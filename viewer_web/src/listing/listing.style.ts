@@ -114,6 +114,12 @@ export const listingStyle = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
+  var.long {
+    width: auto;
+    max-width: 100%;
+    overflow-wrap: anywhere;
+    white-space: normal;
+  }
   .now {
     background: var(--now);
     box-shadow: inset 3px 0 var(--now-edge);

@@ -90,6 +90,20 @@ export function excerpt(
   });
 }
 
+/** The labels of a method's lines. */
+function labelsOf(method: Method): readonly string[] {
+  const names = new Set(namesOf(method));
+  return sources
+    .filter(({ name }) => names.has(name))
+    .flatMap(({ lines }) => lines.map(({ at }) => at));
+}
+
+/** The lines of a method that a deviation changes. */
+export function linesIn(method: Method, { lines }: Deviation): readonly string[] {
+  const labels = labelsOf(method);
+  return lines.filter((at) => labels.includes(at));
+}
+
 /** By line label, the ways in which a run could have that line wrong; empty if the run itself is not correct. */
 export function wrongLines({
   method,
@@ -98,11 +112,7 @@ export function wrongLines({
 }: Pick<Header, 'method' | 'edition' | 'kernel'>): ReadonlyMap<string, readonly Deviation[]> {
   const lines = new Map<string, readonly Deviation[]>();
   if (edition !== 'corrected') return lines;
-  const names = new Set(namesOf(method));
-  const labels = sources
-    .filter(({ name }) => names.has(name))
-    .flatMap((source) => source.lines.map(({ at }) => at));
-  for (const label of labels) {
+  for (const label of labelsOf(method)) {
     const wrong = deviations.filter(
       (each) =>
         each.lines.includes(label) &&

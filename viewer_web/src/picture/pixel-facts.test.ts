@@ -29,6 +29,25 @@ describe('the spoken text of a pixel', () => {
     );
   });
 
+  it('has the depth of the polygon without a Z-buffer: that of its plane at the centre', () => {
+    // The plane z = x / 4, at (1.5, 0.5).
+    const [a] = scene.polygons;
+    if (a === undefined) throw new Error('a square');
+    const ramp = {
+      ...a,
+      vertices: [
+        [0, 0, 0],
+        [4, 0, 1],
+        [0, 4, 0],
+      ] as const,
+    };
+    const plain = new Screen({ ...scene, polygons: [ramp], byId: new Map([[a.id, ramp]]) }, false);
+    plain.paint(1, 0, 1, 1, a.color);
+    expect(texts.en.history.spoken([1, 0], factsAt(plain, [1, 0]))).toBe(
+      'Pixel (1, 0): #112233, the colour of A, depth ≈0.375',
+    );
+  });
+
   it('may name several polygons of a colour', () => {
     const [a, b] = scene.polygons;
     if (a === undefined || b === undefined) throw new Error('two squares');

@@ -1,5 +1,6 @@
 import { isPainted, toColor } from '../replay/grid.js';
 import type { Screen } from '../replay/screen.js';
+import { planeOf } from '../trace/plane.js';
 import type { N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
 
@@ -10,8 +11,9 @@ export interface PixelFacts {
   readonly isBackground: boolean;
   /** The polygons with that colour; the picture does not determine which of them it was. */
   readonly polygons: readonly string[];
-  /** The depth in the Z-buffer, if there is one. */
+  /** The depth in the Z-buffer; without one, that of the polygon's plane at the centre, in ordinary numbers. */
   readonly depth: N | null;
+  readonly isStored: boolean;
 }
 
 export function factsAt({ picture, z, scene }: Screen, [x, y]: Pixel): PixelFacts {
@@ -20,5 +22,10 @@ export function factsAt({ picture, z, scene }: Screen, [x, y]: Pixel): PixelFact
   const color = isPainted(pixel) ? toColor(pixel) : null;
   const polygons = scene.polygons.filter((each) => each.color === color).map(({ id }) => id);
   const isBackground = color === scene.background;
-  return { color, isBackground, polygons, depth: z?.at(i, j) ?? null };
+  const stored = z?.at(i, j) ?? null;
+  const [id, ...others] = isBackground ? [] : polygons;
+  const owner = id === undefined || others.length > 0 ? undefined : scene.byId.get(id);
+  const computed = owner === undefined ? NaN : planeOf(owner)(x + 0.5, y + 0.5);
+  const depth = stored ?? (Number.isFinite(computed) ? computed : null);
+  return { color, isBackground, polygons, depth, isStored: stored !== null };
 }

@@ -5,6 +5,7 @@ import type { View } from '../algorithm/view.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
 import { texts } from '../i18n/index.js';
+import { nameIn } from '../language/scene-name.js';
 import type { HistoryTexts } from '../language/texts.js';
 import type { Area } from '../trace/header.js';
 import './axes.js';
@@ -218,7 +219,7 @@ export abstract class PlaneElement extends LitElement {
         class=${frame.zoom === null ? nothing : 'zoomed'}
         role="application"
         tabindex="0"
-        aria-label="${page.picture}: ${header.scene.name}"
+        aria-label="${page.picture}: ${nameIn(language, header.scene.name)}"
         aria-describedby="how"
         @mousedown=${this.keepFocus}
         @click=${this.onClick}

@@ -6,7 +6,7 @@ import type { View } from '../algorithm/view.js';
 import { swatch } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import { planeOf } from '../trace/plane.js';
+import { approximately } from '../language/words.js';
 import { factsAt } from './pixel-facts.js';
 import type { PixelFacts } from './pixel-facts.js';
 import { isIn } from './pixel.js';
@@ -48,7 +48,7 @@ export class ReadoutElement extends LitElement {
     const place = html`<span class="pixel">${numbersOf(view).point(at)}</span>`;
     if (curves !== null) return place;
     const facts = factsAt(view.screen, at);
-    return html`${place} ${this.owner(facts)} ${this.depth(facts, at)}
+    return html`${place} ${this.owner(facts)} ${this.depth(facts)}
     ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
   }
 
@@ -60,18 +60,10 @@ export class ReadoutElement extends LitElement {
     return html`<span>${swatch(color)}${all.join(readout.or)}</span>`;
   }
 
-  /** The depth in the Z-buffer, or that of the polygon's plane at the centre, in ordinary numbers. */
-  private depth(
-    { depth, polygons, isBackground }: PixelFacts,
-    [x, y]: Pixel,
-  ): TemplateResult | typeof nothing {
-    const { short } = numbersOf(this.view);
-    if (depth !== null) return html`<span>${equals(short(depth))}</span>`;
-    const [id, ...others] = polygons;
-    if (id === undefined || others.length > 0 || isBackground) return nothing;
-    const polygon = this.view.header.scene.byId.get(id);
-    const z = polygon === undefined ? NaN : planeOf(polygon)(x + 0.5, y + 0.5);
-    return Number.isFinite(z) ? html`<span>${equals(`≈${short(z)}`)}</span>` : nothing;
+  private depth({ depth, isStored }: PixelFacts): TemplateResult | typeof nothing {
+    if (depth === null) return nothing;
+    const z = numbersOf(this.view).short(depth);
+    return html`<span>${equals(isStored ? z : approximately(z))}</span>`;
   }
 }
 

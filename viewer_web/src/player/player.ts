@@ -279,7 +279,7 @@ export class PlayerElement extends StageElement {
           class="across"
           name="picture"
           place=${this.layout}
-          label=${texts.divider}
+          label=${texts.sizeOf.picture}
         ></vidno-divider>
         <div class="beside">
           <section class="listing" aria-label=${texts.listing}>
@@ -329,7 +329,7 @@ export class PlayerElement extends StageElement {
 
   /** The result, at the end of the run. */
   private verdict(trace: Trace, view: View): TemplateResult | typeof nothing {
-    const said = verdictOn(trace, view, this.exact);
+    const said = verdictOn(trace, view, this.exact, this.checkOf(trace));
     return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
   }
 
@@ -343,7 +343,7 @@ export class PlayerElement extends StageElement {
         class="under"
         name="scene"
         place=${this.layout}
-        label=${say.divider}
+        label=${say.sizeOf.scene}
       ></vidno-divider>
       <section class="scene" aria-label=${texts[this.language].scene.scene}>
         <vidno-scene-panel
@@ -367,7 +367,7 @@ export class PlayerElement extends StageElement {
         class="between"
         name="listing"
         place=${this.layout}
-        label=${texts.divider}
+        label=${texts.sizeOf.listing}
       ></vidno-divider>
       <section class="side ${this.side}" aria-label=${sideName(this.side, view)}>
         <vidno-side

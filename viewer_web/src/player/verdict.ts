@@ -1,24 +1,26 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { View } from '../algorithm/view.js';
+import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import { differenceOf, known } from '../picture/layers.js';
 import type { Exact } from '../picture/layers.js';
 import type { Trace } from '../replay/trace.js';
+import { Course } from '../time/course.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
-import type { Header } from '../trace/header.js';
 
-/** The largest scene that is compared with its exact picture without a request. */
-const most = { pixels: 1 << 16, polygons: 200 };
+/** The largest scene that is compared with its exact picture without a request, and the longest run of curves. */
+const most = { pixels: 1 << 16, polygons: 200, steps: 1 << 15 };
 
 /** The events that a verdict counts: the first kind in this list that the run has. */
 const counted = ['windows', 'regions', 'curves', 'comparisons'] as const;
 
-/** Whether the exact picture of a scene is made as soon as its run is over. */
-export function isComparedUnasked({ scene }: Pick<Header, 'scene'>): boolean {
-  const { area, polygons, curves } = scene;
-  const isSmall = area.width * area.height <= most.pixels && polygons.length <= most.polygons;
-  return curves === null && isSmall;
+/** Whether a run is compared as soon as it is over: the picture of polygons, or the decisions of a run of curves. */
+export function isComparedUnasked({ header, timeline }: Trace): boolean {
+  const { area, polygons, curves } = header.scene;
+  return curves === null
+    ? area.width * area.height <= most.pixels && polygons.length <= most.polygons
+    : timeline.length <= most.steps;
 }
 
 const tallies = new WeakMap<Trace, ReadonlyMap<EventName, number>>();
@@ -38,10 +40,10 @@ function tallyOf(trace: Trace): ReadonlyMap<EventName, number> {
 }
 
 /**
- * The result of a run at its end: the size of its picture, the comparison with the exact picture, and the number of
+ * The result of a run at its end: the size of its picture, the comparison with exact arithmetic, and the number of
  * operations.
  */
-export function verdictOn(trace: Trace, view: View, exact: Exact): string | null {
+export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check): string | null {
   const { header, step, length } = view;
   if (step !== length || length === 0 || !trace.complete || trace.shortened !== null) return null;
   const { verdict } = texts[view.language];
@@ -54,22 +56,43 @@ export function verdictOn(trace: Trace, view: View, exact: Exact): string | null
   });
   const { area, curves } = header.scene;
   const work = amounts.slice(0, 1);
-  const pixels =
+  const parts =
     curves === null
-      ? [`${verdict.pixels(area.width * area.height)}, ${comparedWith(exact, view)}`]
-      : [];
-  const untold = curves === null ? [] : [verdict.notCompared];
-  return `${[...pixels, ...work, ...untold].join('; ')}.`;
+      ? [
+          `${verdict.pixels(area.width * area.height)}, ${comparedWith(exact, trace, view)}`,
+          ...work,
+        ]
+      : [...work, decisionsOf(check, trace, view)];
+  return `${parts.join('; ')}.`;
 }
 
 /** Claims exactness only after a comparison with the exact picture. */
-function comparedWith(exact: Exact, view: View): string {
+function comparedWith(exact: Exact, trace: Trace, view: View): string {
   const { verdict } = texts[view.language];
   const right = known(exact);
   if (right === null) {
-    const isAwaited = exact === 'computing' && isComparedUnasked(view.header);
+    const isAwaited = exact === 'computing' && isComparedUnasked(trace);
     return isAwaited ? verdict.comparing : verdict.notCompared;
   }
   const { wrong, lacking } = differenceOf(view.screen.picture, right);
   return wrong + lacking === 0 ? verdict.allRight : verdict.someWrong(wrong + lacking);
+}
+
+/** Claims exactness only after a check. */
+function decisionsOf(check: Check, trace: Trace, view: View): string {
+  const { verdict } = texts[view.language];
+  switch (check.is) {
+    case 'certain':
+      return verdict.decisionsRight;
+    case 'told':
+    case 'found': {
+      const { wrong } = new Course(trace, check.is === 'found' ? check.truth.wrong : []);
+      return wrong.length === 0 ? verdict.decisionsRight : verdict.decisionsWrong(wrong.length);
+    }
+    case 'checking':
+      return verdict.comparing;
+    case 'unchecked':
+    case 'unable':
+      return verdict.notCompared;
+  }
 }

@@ -53,6 +53,8 @@ export class ReaderElement extends LitElement {
   // This comes before the search for the place, because shrinking elements moves places.
   private readonly fitting = new Fitting(() => this.article);
   private readonly place = new ReadingPlace(this);
+  /** Whether the reader chose a lesson from the list, which is absent while the lesson loads. */
+  private isChoosing = false;
 
   private get language(): Language {
     return this.setup.language;
@@ -78,6 +80,10 @@ export class ReaderElement extends LitElement {
 
   override updated(changed: PropertyValues<this>): void {
     if (changed.has('story') || changed.has('setup')) this.fitting.fit();
+    if (changed.has('story') && this.story !== null && this.isChoosing) {
+      this.isChoosing = false;
+      this.renderRoot.querySelector('select')?.focus();
+    }
     if (changed.has('story') || changed.has('goal')) void this.show();
     else if (changed.has('setup')) this.place.restore();
   }
@@ -159,7 +165,9 @@ export class ReaderElement extends LitElement {
 
   private onChoose(event: Event): void {
     const address = this.addressOf((event.target as HTMLSelectElement).value);
-    if (address !== null) location.hash = address;
+    if (address === null) return;
+    this.isChoosing = true;
+    location.hash = address;
     // The choice shows the old lesson until the new one is read, and if the reader stays.
     this.requestUpdate();
   }

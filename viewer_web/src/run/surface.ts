@@ -117,6 +117,7 @@ export function withoutTolerance(sketch: Sketch): Sketch {
 export function firstFormula({ area: { x, y, width, height } }: Sketch): Formula {
   const part = (of: number, by: number): number => Math.round(of * by);
   const curves = 21;
+  const across = Math.max(1, part(width, 0.6));
   const back: Pair = [
     Math.max(0, Math.floor((0.3 * width) / curves)),
     -Math.max(1, part(height, 0.015)),
@@ -126,10 +127,10 @@ export function firstFormula({ area: { x, y, width, height } }: Sketch): Formula
     x: [0, 6.3],
     z: [6.3, 0],
     curves,
-    samples: 31,
+    samples: Math.min(31, across + 1), // at most one for each column
     view: {
       origin: [x + part(width, 0.05), y + part(height, 0.65)],
-      across: [Math.max(1, part(width, 0.6)), part(height, 0.1)],
+      across: [across, part(height, 0.1)],
       back,
       up: part(height, 0.12) || 1,
     },

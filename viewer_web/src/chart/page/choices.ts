@@ -6,7 +6,7 @@ import { kinds } from '../format.js';
 import type { Kind } from '../format.js';
 import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
-import { nameIn } from '../scene-names.js';
+import { nameIn } from '../../language/scene-name.js';
 import type { View } from '../views.js';
 
 /** The choice of the subject and of the two axes. */

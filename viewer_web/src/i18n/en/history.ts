@@ -1,10 +1,10 @@
 import type { HistoryTexts } from '../../language/texts.js';
-import { short } from '../../language/words.js';
+import { approximately, short } from '../../language/words.js';
 
 export const history: HistoryTexts = {
   pixel: 'Pixel',
   at: (x, y) => `Pixel (${x}, ${y})`,
-  spoken: ([x, y], { color, isBackground, polygons, depth }) => {
+  spoken: ([x, y], { color, isBackground, polygons, depth, isStored }) => {
     const owners = [...(isBackground ? ['the background'] : []), ...polygons];
     const whose =
       isBackground && polygons.length === 0
@@ -12,7 +12,8 @@ export const history: HistoryTexts = {
         : `the colour of ${owners.join(' and ')}`;
     const colors =
       color === null ? ['not painted yet'] : [color, ...(owners.length === 0 ? [] : [whose])];
-    const depths = depth === null ? [] : [`depth ${short(depth)}`];
+    const depths =
+      depth === null ? [] : [`depth ${isStored ? short(depth) : approximately(short(depth))}`];
     return `Pixel (${x}, ${y}): ${[...colors, ...depths].join(', ')}`;
   },
   hint: (key) =>

@@ -66,7 +66,12 @@ export const page: PageTexts = {
   workbench: 'Workbench',
   workbenchHint: 'Everything about each step: state, exactness, 3D, time strip',
   tools: 'Tools',
-  divider: 'Size of the panels',
+  sizeOf: {
+    text: 'Size of the text',
+    picture: 'Size of the picture',
+    listing: 'Size of the listing',
+    scene: 'Size of the scene panel',
+  },
   skip: 'To the controls',
   news: {
     panel: (name) => `Panel: ${name}`,

@@ -26,6 +26,8 @@ export const verdict: VerdictTexts = {
   someWrong: (n) => `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
   comparing: 'being compared with exact arithmetic…',
   notCompared: 'not compared with exact arithmetic',
+  decisionsRight: 'every decision as in exact arithmetic',
+  decisionsWrong: (n) => `wrong decisions at ${count(n, { one: 'step', other: 'steps' })}`,
   windows: (n) => count(n, { one: 'window', other: 'windows' }),
   comparisons: (n) => count(n, { one: 'depth comparison', other: 'depth comparisons' }),
   regions: (n) => count(n, { one: 'visible region', other: 'visible regions' }),
@@ -54,7 +56,7 @@ export const tour: TourTexts = {
     },
     {
       title: 'The text',
-      text: 'Dotted words lead to the step that they describe. The workbench shows everything known about a step.',
+      text: 'Blue dotted words lead to the step that they describe. The workbench shows everything known about a step.',
     },
   ],
 };

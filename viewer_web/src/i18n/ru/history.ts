@@ -1,15 +1,17 @@
 import type { HistoryTexts } from '../../language/texts.js';
+import { approximately } from '../../language/words.js';
 import { short } from './numbers.js';
 
 export const history: HistoryTexts = {
   pixel: 'Пиксель',
   at: (x, y) => `Пиксель (${x}; ${y})`,
-  spoken: ([x, y], { color, isBackground, polygons, depth }) => {
+  spoken: ([x, y], { color, isBackground, polygons, depth, isStored }) => {
     const owners = [...(isBackground ? ['фона'] : []), ...polygons];
     const whose = isBackground && polygons.length === 0 ? 'фон' : `цвет ${owners.join(' и ')}`;
     const colors =
       color === null ? ['ещё не закрашен'] : [color, ...(owners.length === 0 ? [] : [whose])];
-    const depths = depth === null ? [] : [`глубина ${short(depth)}`];
+    const depths =
+      depth === null ? [] : [`глубина ${isStored ? short(depth) : approximately(short(depth))}`];
     return `Пиксель (${x}; ${y}): ${[...colors, ...depths].join(', ')}`;
   },
   hint: (key) =>

@@ -67,7 +67,12 @@ export const page: PageTexts = {
   workbench: 'Мастерская',
   workbenchHint: 'Всё о каждом шаге: состояние, точность, 3D, лента времени',
   tools: 'Инструменты',
-  divider: 'Размер панелей',
+  sizeOf: {
+    text: 'Размер текста урока',
+    picture: 'Размер изображения',
+    listing: 'Размер листинга',
+    scene: 'Размер панели сцены',
+  },
   skip: 'К управлению',
   news: {
     panel: (name) => `Панель: ${name}`,

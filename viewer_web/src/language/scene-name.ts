@@ -1,4 +1,4 @@
-import type { Language } from '../language/language.js';
+import type { Language } from './language.js';
 import names from '../trace/scene-names.json' with { type: 'json' };
 
 /** The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as they are. */

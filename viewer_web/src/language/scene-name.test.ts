@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { nameIn } from './scene-names.js';
+import { nameIn } from './scene-name.js';
 
 it.each([
   ['A floor and a ramp', 'Пол и скат'],
