@@ -16,7 +16,10 @@ const sizes = [
   [1440, 900, 450, 0.4],
   [1920, 1080, 540, 0.4],
   [1024, 768, 280, 0.4],
-  [390, 844, 351, 0.9], // and 90 % of the width
+  [390, 844, 351, 0.9], // and 90 % of the width, also on shorter and wider phones
+  [390, 664, 351, 0.9],
+  [360, 640, 324, 0.9],
+  [412, 785, 371, 0.9],
   [640, 360, 280, 0.9], // 1280 x 720, enlarged to 200 %
 ] as const;
 
@@ -39,6 +42,17 @@ describe('the picture is the page, with the text beside it', () => {
       expect(faults).toEqual([]);
     },
   );
+});
+
+it('has 90 % of the width on a phone without the text, too', async () => {
+  const viewport = { width: 390, height: 844 };
+  for (const view of views) {
+    const { page } = await openReader(browser, `#lang=en&lesson=first&reader=off&view=${view}`, {
+      viewport,
+    });
+    await settled(page);
+    expect((await see(page)).side, view).toBeGreaterThanOrEqual(351);
+  }
 });
 
 describe('the first screen', () => {
@@ -92,7 +106,7 @@ describe('the first screen', () => {
 
   it('offers a tour of four steps, once', async () => {
     const { page } = await openReader(browser, '#lang=en');
-    await page.locator('.offer').click();
+    await page.locator('.offer a').click();
     const titles = [];
     for (let i = 0; i < 4; i++) {
       titles.push(await page.locator('vidno-tour h2').textContent());
@@ -146,6 +160,18 @@ describe('the title', () => {
     await page.keyboard.press('Escape');
     expect(await words.locator('dl').count()).toBe(0);
   });
+});
+
+it.each([390, 768])('has its words explained within the window, at %d px', async (width) => {
+  const { page } = await openReader(browser, '#lang=ru&lesson=first&reader=off', {
+    viewport: { width, height: 844 },
+  });
+  await page.locator('vidno-run-words button').click();
+  const box = await page.locator('vidno-run-words dl').boundingBox();
+  if (box === null) throw new Error('no explanations');
+  expect(box.x).toBeGreaterThanOrEqual(0);
+  expect(box.x + box.width).toBeLessThanOrEqual(width);
+  expect(await widthOf(page)).toBe(width);
 });
 
 describe('the view', () => {
@@ -288,6 +314,26 @@ describe('a divider', () => {
     await page.locator('vidno-divider.across').focus();
     await page.keyboard.press('Enter');
     await expect.poll(() => width('section.picture')).toBeGreaterThan(smaller + 10);
+  });
+
+  it.each([
+    [1024, 768],
+    [1280, 720],
+    [1440, 900],
+  ])('leaves the picture 280 px, wherever it is, at %d x %d', async (width, height) => {
+    const viewport = { width, height };
+    const { page } = await openReader(browser, '#lang=en&lesson=first', { viewport });
+    for (const [part, key] of [
+      ['.fold', 'End'],
+      ['vidno-divider.across', 'Home'],
+    ] as const) {
+      const divider = page.locator(part);
+      if (!(await divider.isVisible())) continue;
+      await divider.focus();
+      await page.keyboard.press(key);
+      await settled(page);
+      expect((await see(page)).side, `${part} ${key}`).toBeGreaterThanOrEqual(280);
+    }
   });
 });
 

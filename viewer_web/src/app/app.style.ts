@@ -21,7 +21,7 @@ export const appStyle = css`
     grid-template:
       'header header header' 3rem
       'reader fold main' minmax(0, 1fr) / minmax(0, var(--text, var(--text-share, 30fr))) var(--gap)
-      minmax(0, var(--text-rest, 70fr));
+      minmax(${leastPanel}, var(--text-rest, 70fr));
   }
   vidno-page-header {
     grid-area: header;
@@ -78,11 +78,12 @@ export const appStyle = css`
     white-space: nowrap;
   }
   .offer {
-    display: block;
-    width: fit-content;
     margin: 1rem 1.25rem -0.5rem;
-    color: var(--accent);
+    color: var(--soft);
     font-size: 0.875rem;
+  }
+  .offer a {
+    color: var(--accent);
   }
   .on-paper {
     display: none;
@@ -199,6 +200,9 @@ export const appStyle = css`
       height: auto;
       overflow: visible;
     }
+    :host([reading]) :is(vidno-page-header, vidno-languages, vidno-notice) {
+      padding-inline: 0.6rem;
+    }
     :host([reading]) vidno-reader {
       contain: size;
       border-width: 1px 0 0;
@@ -214,6 +218,12 @@ export const appStyle = css`
     }
     vidno-comparison {
       --name-inset: 0.6rem;
+    }
+  }
+  /* On an upright phone the picture has the full width, and the page scrolls to the text. */
+  @media (max-width: 520px) and (orientation: portrait) {
+    :host([reading]) {
+      --room: calc(max(${leastPanel}, 100vw) + var(--dock));
     }
   }
   /* Two pictures and their sentences fit on one screen. */

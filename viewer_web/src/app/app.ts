@@ -206,7 +206,9 @@ export class AppElement extends LitElement implements Shown, Told {
       event.preventDefault();
       this.showAround();
     };
-    return html`<a class="offer" href=${tourAddress} @click=${onClick}>${tour.offer}</a>`;
+    return html`<p class="offer">
+      ${tour.about} <a href=${tourAddress} @click=${onClick}>${tour.offer}</a>
+    </p>`;
   }
 
   private showAround(): void {

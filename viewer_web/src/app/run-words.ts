@@ -57,6 +57,15 @@ export class RunWordsElement extends LitElement {
         font-size: 0.875rem;
         line-height: 1.4;
       }
+      @media (max-width: 899px) {
+        dl {
+          position: fixed;
+          top: auto;
+          right: 0.6rem;
+          left: 0.6rem;
+          width: auto;
+        }
+      }
       dl div {
         padding-left: 0.6rem;
         border-left: 3px solid transparent;

@@ -25,6 +25,8 @@ export interface VerdictTexts {
 
 /** A tour of a few steps through the page. */
 export interface TourTexts {
+  /** What the page does, for a first visitor. */
+  readonly about: string;
   readonly offer: string;
   readonly again: string;
   readonly next: string;

@@ -66,6 +66,7 @@ export class PicturePanelElement extends LitElement {
         }
       }
       .switches,
+      vidno-curve-layers,
       vidno-legend {
         visibility: var(--quiet, visible);
       }

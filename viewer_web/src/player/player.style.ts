@@ -97,6 +97,9 @@ export const playerStyle = css`
   }
   .beside:has(> .side.solid) {
     --side-share: 2fr;
+    --caption: 9em;
+  }
+  :host([layout='lesson']) .beside:has(> .side.solid) {
     --caption: 5.3em;
   }
   .beside:has(> .side:is(.exact, .predict)) {
@@ -243,7 +246,7 @@ export const playerStyle = css`
           clamp(
             ${leastPanel},
             var(--room, 100dvh - 3.25rem) - var(--dock, var(--usual-dock)),
-            100cqw + var(--foot, 2.25rem)
+            100cqw + var(--feet, var(--foot, 2.25rem))
           )
         )
         'dock' auto
@@ -306,6 +309,9 @@ export const playerStyle = css`
     :host(:not([src])) :is(section, .dock) {
       border-inline: 0;
       border-radius: 0;
+    }
+    .stage {
+      --feet: 4.25rem; /* the readout and the layers in two lines */
     }
     :host([layout='workbench']) .stage {
       --usual-dock: 16.6rem;

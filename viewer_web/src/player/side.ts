@@ -48,6 +48,7 @@ export class SideElement extends LitElement {
         display: flex;
         flex: none;
         flex-wrap: wrap;
+        justify-content: space-between;
         padding: 0.15rem 0.1rem 0;
         border-bottom: 1px solid var(--line);
         /* A part of the panel and, on a phone, the dock. */
@@ -82,7 +83,6 @@ export class SideElement extends LitElement {
       }
       .asides {
         display: flex;
-        margin-left: auto;
       }
       /* At least as large as a target should be. */
       .asides .outline {

@@ -67,6 +67,13 @@ export class ChoicesElement extends LitElement {
         background: var(--accent);
         color: var(--on-accent);
       }
+      @media (forced-colors: active) {
+        .segments label:has(:checked) {
+          forced-color-adjust: none;
+          background: Highlight;
+          color: HighlightText;
+        }
+      }
       .segments input {
         position: absolute;
         inset: 0;

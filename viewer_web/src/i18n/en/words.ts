@@ -35,6 +35,7 @@ export const verdict: VerdictTexts = {
 };
 
 export const tour: TourTexts = {
+  about: 'vidno runs hidden-surface algorithms step by step.',
   offer: 'New here? Take the tour',
   again: 'Show me around',
   next: 'Next',

@@ -45,6 +45,7 @@ export const verdict: VerdictTexts = {
 };
 
 export const tour: TourTexts = {
+  about: 'vidno пошагово выполняет алгоритмы удаления невидимых поверхностей.',
   offer: 'Впервые здесь? Обзор',
   again: 'Показать, что здесь где',
   next: 'Дальше',
