@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
 import { edit, rerun, run, title } from './live.js';
-import { goTo, open, openFile } from './page.js';
+import { goTo, open, opened, openFile, sampleTrace } from './page.js';
 
 interface Failure {
   readonly scene: object;
@@ -54,6 +54,19 @@ describe('the right answer', () => {
     await panel(page, '.verdict.wrong').getByText('right for its operands').waitFor();
     expect((await run(page)).lines).toEqual(lines);
     expect(await violations(page)).toEqual([]);
+  });
+
+  it('is not taken from the kernel’s name alone in a file of the reader’s own', async () => {
+    // A run in doubles that claims to be exact.
+    const claimed = sampleTrace('small.zbuffer.signs').replace(
+      '"kernel":"double"',
+      '"kernel":"exact"',
+    );
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'claimed.jsonl', claimed);
+    await page.keyboard.press('x');
+    await panel(page).getByText('the library runs this scene differently').waitFor();
+    expect(await panel(page).getByText('every decision is exact').count()).toBe(0);
   });
 
   it('comes with a run that was traced with `--check`', async () => {

@@ -100,6 +100,41 @@ describe('Back', () => {
   });
 });
 
+describe('an edited scene', () => {
+  it('is not lost by a reload without a question', async () => {
+    const { page } = await editing(browser);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const x = page.getByLabel('x of corner 1').first();
+    const changed = await rerun(page, async () => {
+      await x.fill('2');
+      await x.press('Enter');
+    });
+    // The reload never ends, since the reader stays.
+    const [question] = await Promise.all([
+      page.waitForEvent('dialog'),
+      page.evaluate(() => {
+        setTimeout(() => location.reload());
+      }),
+    ]);
+    expect(question.type()).toBe('beforeunload');
+    await question.dismiss();
+    expect(await run(page)).toEqual(changed);
+  });
+
+  it('does not ask before anything was changed', async () => {
+    const { page } = await editing(browser);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const asked: string[] = [];
+    page.on('dialog', (dialog) => {
+      asked.push(dialog.type());
+      void dialog.accept();
+    });
+    await page.reload();
+    await page.locator('vidno-listing').waitFor();
+    expect(asked).toEqual([]);
+  });
+});
+
 describe('a link to something missing', () => {
   it.each([
     ['#lang=en&trace=no-such-run&step=3', 'no-such-run'],

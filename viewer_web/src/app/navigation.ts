@@ -36,11 +36,13 @@ export class Navigation implements ReactiveController {
   hostConnected(): void {
     window.addEventListener('hashchange', this.onAddress);
     window.addEventListener('popstate', this.onPlace);
+    window.addEventListener('beforeunload', this.onUnload);
   }
 
   hostDisconnected(): void {
     window.removeEventListener('hashchange', this.onAddress);
     window.removeEventListener('popstate', this.onPlace);
+    window.removeEventListener('beforeunload', this.onUnload);
   }
 
   /** Writes the address after a change. */
@@ -80,6 +82,11 @@ export class Navigation implements ReactiveController {
     const kept = state as FilePlace | null;
     if (kept === null || kept.file !== this.place()?.file) return;
     this.host.session.move({ step: kept.step, pixel: kept.pixel });
+  };
+
+  /** The page is reloaded, closed or left: the browser asks whether to discard the edits. */
+  private readonly onUnload = (event: BeforeUnloadEvent): void => {
+    if (this.host.session.live.isChanged) event.preventDefault();
   };
 
   /** The address was changed by a link, by *Back* or by hand. */

@@ -352,6 +352,7 @@ export class Session implements ReactiveController {
         else if (trace.complete || length >= place.step) {
           this.file = lesson === null ? file : null;
           this.failure = null;
+          if (lesson === null) this.checks?.doubt(trace);
           this.show(trace, name, lesson, place);
           this.live.open(trace.header);
         }

@@ -11,6 +11,7 @@ import type { Traced } from './tracer.js';
 /** Milliseconds after which a check is cancelled in favour of a newer run. */
 const patience = 1000;
 const checking: Check = { is: 'checking' };
+const unchecked: Check = { is: 'unchecked' };
 const unable = (why: Unable, messages = ''): Check => ({ is: 'unable', why, messages });
 
 /** Checks runs that were not checked, by repeating each with the page's library. */
@@ -19,6 +20,7 @@ export class Checks {
   private readonly found = new WeakMap<Trace, Check>();
   private readonly finder: Finder;
   private readonly findings = new WeakMap<Trace, readonly Finding[]>();
+  private readonly doubted = new WeakSet<Trace>();
   private wanted: Trace | null = null;
   private running: { readonly trace: Trace; readonly since: number } | null = null;
 
@@ -39,7 +41,15 @@ export class Checks {
   }
 
   of(trace: Trace): Check {
-    return this.found.get(trace) ?? toldCheck(trace);
+    const found = this.found.get(trace);
+    if (found !== undefined) return found;
+    const told = toldCheck(trace);
+    return told.is === 'certain' && this.doubted.has(trace) ? unchecked : told;
+  }
+
+  /** Another program may have written the trace, so that its kernel alone proves nothing. */
+  doubt(trace: Trace): void {
+    this.doubted.add(trace);
   }
 
   /** Adds the decisions worth looking at, once they are known. */
