@@ -59,10 +59,11 @@ TEST_CASE("Sums, differences, products and quotients of random rationals are GMP
 TEST_CASE("A rational may be combined with itself: 2/3 gives 4/3, 0, 4/9 and 1") {
     const Quotient two_thirds(Integer(2), Integer(3));
     Quotient sum = two_thirds, difference = two_thirds, product = two_thirds, quotient = two_thirds;
-    sum += sum;
-    difference -= difference;
-    product *= product;
-    quotient /= quotient;
+    const auto itself = [](const Quotient& operand) -> const Quotient& { return operand; };
+    sum += itself(sum);
+    difference -= itself(difference);
+    product *= itself(product);
+    quotient /= itself(quotient);
     CHECK(text(sum) == "4/3");
     CHECK(text(difference) == "0/1");
     CHECK(text(product) == "4/9");

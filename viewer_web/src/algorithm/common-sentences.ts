@@ -1,3 +1,4 @@
+import { faultReason } from '../language/fault-reason.js';
 import type { SentencesOf } from '../language/texts.js';
 import type { CommonEvents } from '../trace/events.js';
 
@@ -26,8 +27,8 @@ export const commonSentences: SentencesOf<keyof CommonEvents> = {
         : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`,
     ru: ({ reason, x, y }, { point }) =>
       x === undefined || y === undefined
-        ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
-        : `Напечатанный текст здесь ошибается: ${reason}, пиксель ${point([x, y])}.`,
+        ? `Напечатанный текст здесь ошибается: ${faultReason('ru', reason)}. Прогон окончен.`
+        : `Напечатанный текст здесь ошибается: ${faultReason('ru', reason)}, пиксель ${point([x, y])}.`,
   },
   disagree: {
     en: ({ of, taken, exact, cause }, { texts: { exact: say } }) =>

@@ -63,7 +63,7 @@ export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check):
           ...work,
         ]
       : [...work, decisionsOf(check, trace, view)];
-  return `${parts.join('; ')}.`;
+  return `${parts.join('; ')}.`.replace('….', '…');
 }
 
 /** Claims exactness only after a comparison with the exact picture. */

@@ -47,6 +47,8 @@ const place = (at: readonly (number | string)[], words: Words): string => {
   return corner === null ? `point ${words.point(at)}` : `${corner} corner`;
 };
 
+const itsList = (ids: string): string => (ids === '' ? 'его список пуст' : `его список: ${ids}`);
+
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
 
@@ -102,7 +104,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     },
     ru: ({ at, window, shared, apl }, words) => {
       if (at === 'W3' || at === 'WS1' || at === 'WF1') {
-        return `Первое окно ${words.windowText(window)} кладётся в стек, его список: ${words.ids((apl ?? []).map(([id]) => id)) || 'пуст'}.`;
+        return `Первое окно ${words.windowText(window)} кладётся в стек, ${itsList(words.ids((apl ?? []).map(([id]) => id)))}.`;
       }
       if (at === 'WF12') return `Часть ${words.windowText(window)} кладётся в стек.`;
       const list = shared === true ? 'с тем же списком' : 'с собственной копией списка';
@@ -128,7 +130,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
       const taken = `Окно ${words.windowText(window)} берётся из стека`;
       if (at === 'WF2') return `${taken}, его уровень ${words.after.warnock?.way?.length ?? 0}.`;
       if (words.header.detail === 'windows') return `${taken}.`;
-      return `${taken}, его список: ${currentList(words) || 'пуст'}.`;
+      return `${taken}, ${itsList(currentList(words))}.`;
     },
   },
   corners: {
@@ -278,7 +280,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   nearest: {
     en: ({ polygon, z }, { short }) =>
       `${polygon} is the nearest at the point so far: z = ${short(z)}.`,
-    ru: ({ polygon, z }, { short }) => `Пока ближе всех в точке ${polygon}: z = ${short(z)}.`,
+    ru: ({ polygon, z }, { short }) => `Пока в этой точке ближе всех ${polygon}: z = ${short(z)}.`,
   },
   color: {
     en: (event, words) => {

@@ -11,7 +11,7 @@ export const outline: OutlineTexts = {
   spans: { one: 'отрезок', few: 'отрезка', other: 'отрезков' },
   polygons: { one: 'многоугольник', few: 'многоугольника', other: 'многоугольников' },
   list: (pieces, clip) => `список из ${pieces}, отсекающий ${clip}`,
-  visible: 'видим',
+  visible: 'виден',
   inFront: (polygons) => `его закрывают: ${polygons}`,
   lines: { one: 'видимая линия', few: 'видимые линии', other: 'видимых линий' },
   hidden: 'не видна',

@@ -1,4 +1,5 @@
 import type { SceneTexts } from '../../language/scene-texts.js';
+import { withoutDoubledSigns } from '../../language/words.js';
 import words from '../../trace/format-words.json' with { type: 'json' };
 import { short } from './numbers.js';
 
@@ -56,7 +57,8 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Удалить вершину ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   formula: (reason) => `Формула: ${reason}`,
-  notFiniteAt: (x, z) => `Значение формулы не конечно при x = ${short(x)}, z = ${short(z)}`,
+  notFiniteAt: (x, z) =>
+    withoutDoubledSigns(`Значение формулы не конечно при x = ${short(x)}, z = ${short(z)}`),
   stands: 'Показан прежний прогон.',
   at: (line, column) => `строка ${line}, символ ${column}`,
   missing: (key) => `нет поля «${key}»`,
