@@ -27,14 +27,20 @@ export class CurvePictureElement extends PlaneElement {
     pictureStyle,
     curvesStyle,
     css`
-      /* White paper in every theme, also beside the area. */
+      /* White paper in every theme, also beside the area: the curves are black. */
       :host {
+        forced-color-adjust: none;
         background: #ffffff;
+      }
+      vidno-zoom-bar {
+        forced-color-adjust: auto;
       }
       vidno-axes {
         --well: #ffffff;
         --soft: #566070;
         --ink: #171b24;
+        --forced-paper: #ffffff;
+        --forced-ink: #000000;
       }
     `,
   ];

@@ -52,8 +52,8 @@ export class AxesElement extends LitElement {
       }
       @media (forced-colors: active) {
         text {
-          fill: CanvasText;
-          stroke: Canvas;
+          fill: var(--forced-ink, CanvasText);
+          stroke: var(--forced-paper, Canvas);
         }
       }
     `,
