@@ -104,7 +104,8 @@ describe('an incomplete run of curves', () => {
     const { length } = await shown(page);
     for (const step of [1, Math.floor(length / 2), length]) {
       await goTo(page, step);
-      expect((await shown(page)).sentence).toMatch(/\.$/u);
+      // An ellipsis ends the verdict while the run is compared.
+      expect((await shown(page)).sentence).toMatch(/[.…]$/u);
     }
     await clickColumn(page, 4);
     await page.locator('vidno-history .entries').waitFor();
