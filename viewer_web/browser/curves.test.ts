@@ -96,6 +96,25 @@ describe('a run of curves', () => {
   });
 });
 
+it('a checked run of curves ends with the number of steps that decide wrongly', async () => {
+  // Two wrong decisions follow the first flag, and one follows the second.
+  const disagree =
+    '{"e":"disagree","at":"FH5","of":"visibility","taken":0,"exact":1,"cause":"drifted"}';
+  const lines = hills.trim().split('\n').slice(0, -1);
+  const [first = 0, second = 0] = lines.flatMap((line, i) =>
+    line.includes('"e":"visibility"') ? [i] : [],
+  );
+  lines.splice(second + 1, 0, disagree);
+  lines.splice(first + 1, 0, disagree, disagree);
+  const end = { end: { events: lines.length - 1, lines: `sha256:${'0'.repeat(64)}` } };
+  const { page } = await open(browser, '#lang=en');
+  await opened(page, 'wrong.jsonl', [...lines, JSON.stringify(end), ''].join('\n'));
+  await page.keyboard.press('End');
+  await expect
+    .poll(async () => (await shown(page)).sentence)
+    .toMatch(/; wrong decisions at 2 steps\.$/u);
+});
+
 describe('an incomplete run of curves', () => {
   it.each(['windows', 'polygons'])('is shown with what it has, at level %s', async (detail) => {
     const { page, faults } = await open(browser, '#lang=en');
@@ -104,8 +123,8 @@ describe('an incomplete run of curves', () => {
     const { length } = await shown(page);
     for (const step of [1, Math.floor(length / 2), length]) {
       await goTo(page, step);
-      // An ellipsis ends the verdict while the run is compared.
-      expect((await shown(page)).sentence).toMatch(/[.…]$/u);
+      // At the end, once the run was compared.
+      await expect.poll(async () => (await shown(page)).sentence).toMatch(/\.$/u);
     }
     await clickColumn(page, 4);
     await page.locator('vidno-history .entries').waitFor();

@@ -5,8 +5,7 @@ import { texts } from '../i18n/index.js';
 import { differenceOf, known } from '../picture/layers.js';
 import type { Exact } from '../picture/layers.js';
 import type { Trace } from '../replay/trace.js';
-import { Course } from '../time/course.js';
-import { eventNames } from '../trace/events.js';
+import { eventNames, numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 
 /** The largest scene that is compared with its exact picture without a request, and the longest run of curves. */
@@ -78,6 +77,12 @@ function comparedWith(exact: Exact, trace: Trace, view: View): string {
   return wrong + lacking === 0 ? verdict.allRight : verdict.someWrong(wrong + lacking);
 }
 
+/** The number of steps with wrong decisions in a checked trace, where the disagreements follow the step. */
+function wrongSteps({ timeline: { names } }: Trace): number {
+  const disagree = numberOf.get('disagree');
+  return names.filter((name, i) => name === disagree && names[i - 1] !== disagree).length;
+}
+
 /** Claims exactness only after a check. */
 function decisionsOf(check: Check, trace: Trace, view: View): string {
   const { verdict } = texts[view.language];
@@ -86,8 +91,8 @@ function decisionsOf(check: Check, trace: Trace, view: View): string {
       return verdict.decisionsRight;
     case 'told':
     case 'found': {
-      const { wrong } = new Course(trace, check.is === 'found' ? check.truth.wrong : []);
-      return wrong.length === 0 ? verdict.decisionsRight : verdict.decisionsWrong(wrong.length);
+      const wrong = check.is === 'found' ? check.truth.wrong.length : wrongSteps(trace);
+      return wrong === 0 ? verdict.decisionsRight : verdict.decisionsWrong(wrong);
     }
     case 'checking':
       return verdict.comparing;
