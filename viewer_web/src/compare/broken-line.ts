@@ -8,6 +8,7 @@ import type { Language } from '../language/language.js';
 import { CellPainter, opaque } from '../picture/paint.js';
 import { isPainted } from '../replay/grid.js';
 import type { Grid } from '../replay/grid.js';
+import type { Trace } from '../replay/trace.js';
 import type { Deviation } from '../trace/editions.js';
 import { numberOf } from '../trace/events.js';
 import { linesIn } from '../listing/listings.js';
@@ -18,6 +19,8 @@ import type { Steps } from './parting.js';
 /** The side of a picture, in CSS pixels. */
 const side = 72;
 const fault = numberOf.get('fault') ?? -1;
+/** The index of a run's first fault; -1 if there is none. */
+const faultIn = ({ timeline }: Trace): number => timeline.names.indexOf(fault);
 /** The colour of cells that are the same in both pictures. */
 const same = 0xffe6e2de;
 const unpainted = 0xffffffff;
@@ -143,13 +146,10 @@ export class BrokenLineElement extends LitElement {
   /** What the broken line leads to: a fault of the run, and a change of the picture. */
   private result(): string {
     const { say, comparison, language, complete } = this;
-    const [right, at] = [comparison.one, comparison.other].map(({ timeline }) =>
-      timeline.names.indexOf(fault),
-    );
     const change = this.change();
-    return !complete || right !== -1 || at === undefined || at < 0
-      ? change
-      : `${say.fault((at + 1).toLocaleString(language))} ${change}`;
+    if (!complete || faultIn(comparison.one) >= 0) return change;
+    const at = faultIn(comparison.other);
+    return at < 0 ? change : `${say.fault((at + 1).toLocaleString(language))} ${change}`;
   }
 
   private change(): string {
