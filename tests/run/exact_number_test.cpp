@@ -7,6 +7,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 
 using vidno::ExactNumber;
 using vidno::Rational;
@@ -112,6 +113,60 @@ TEST_CASE("Exact numbers: quotients are compared and written exactly") {
     CHECK(ExactNumber::result(third, third, std::plus<>()).fraction() == "-2/3");
     CHECK(ExactNumber::result(ExactNumber(6.0), ExactNumber(0x1p70), std::divides<>()).fraction() ==
           "3/590295810358705651712");
+}
+
+TEST_CASE("Exact numbers: sums and comparisons of quotients are those of rationals") {
+    std::mt19937 random(3);
+    const auto quotient = [&](std::int64_t largest) {
+        std::uniform_int_distribution<std::int64_t> whole(1, largest);
+        const auto p = double(whole(random)), q = double(whole(random));
+        const ExactNumber found = ExactNumber::result(ExactNumber(p), ExactNumber(q), std::divides<>());
+        return std::pair(found, Rational(Rational(p) / Rational(q)));
+    };
+    for (const std::int64_t largest : {20LL, 1LL << 20, 1LL << 53}) {
+        for (int i = 0; i < 3000; ++i) {
+            auto [sum, right_sum] = quotient(largest);
+            const auto [slope, right_slope] = quotient(largest);
+            for (int step = 0; step < 4; ++step) {
+                sum = ExactNumber::result(sum, slope, std::plus<>());
+                right_sum = Rational(right_sum + right_slope);
+            }
+            CHECK(sum.fraction() == text(right_sum));
+            CHECK(ExactNumber::related(sum, slope, std::greater<>()));
+            const auto [other, right_other] = quotient(largest);
+            CHECK(ExactNumber::related(sum, other, std::less<>()) == (right_sum < right_other));
+        }
+    }
+}
+
+TEST_CASE("Exact numbers: quotients that differ by less than a rounding are not equal") {
+    // n / (n + 1) and (n + 1) / (n + 2): crosswise, n (n + 2) is one less than (n + 1)^2.
+    for (const double n : {3.0, 0x1p26, 0x1p40, 0x1p52}) {
+        const auto below_one = [](double p) {
+            return ExactNumber::result(ExactNumber(p), ExactNumber(p + 1), std::divides<>());
+        };
+        CHECK(ExactNumber::related(below_one(n), below_one(n + 1), std::less<>()));
+        CHECK_FALSE(ExactNumber::related(below_one(n), below_one(n + 1), std::equal_to<>()));
+        CHECK(ExactNumber::related(below_one(n), below_one(n), std::equal_to<>()));
+    }
+}
+
+TEST_CASE("Exact numbers: the whole part is the greatest whole number that is not above") {
+    const auto whole_part_of = [](double p, double q) {
+        return ExactNumber::result(ExactNumber(p), ExactNumber(q), std::divides<>()).whole_part(-8, 8);
+    };
+    CHECK(whole_part_of(7, 2) == 3);
+    CHECK(whole_part_of(-7, 2) == -4);
+    CHECK(whole_part_of(6, 2) == 3);
+    CHECK(whole_part_of(1, 3) == 0);
+    CHECK(whole_part_of(-1, 3) == -1);
+    CHECK(whole_part_of(-8, 1) == -8);
+    CHECK(whole_part_of(0x1p53 * 3 - 4, 0x1p53) == 2);    // 3 - 2^-51
+    CHECK(whole_part_of(-0x1p53 * 3 + 4, 0x1p53) == -3);  // -3 + 2^-51
+    const ExactNumber third = ExactNumber::result(ExactNumber(1.0), ExactNumber(3.0), std::divides<>());
+    const ExactNumber hardly_less = ExactNumber::result(third, ExactNumber(0x1p-80), std::minus<>());
+    const ExactNumber thrice = ExactNumber::result(hardly_less, ExactNumber(3.0), std::multiplies<>());
+    CHECK(thrice.whole_part(-8, 8) == 0);  // 1 - 3 * 2^-80, whose nearest double is 1
 }
 
 TEST_CASE("Exact numbers: fractions of doubles") {

@@ -16,10 +16,11 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <utility>
+#include <type_traits>
 
 #include "format/verdict.h"
 #include "json/json_text.h"
+#include "run/unrounded.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno {
@@ -73,50 +74,7 @@ inline Fraction fraction_of(double value) {
     return {quotient_text(value, 1)};
 }
 
-/// The result of an operation on doubles if no rounding was needed; none if it was, or if the doubles cannot tell.
-///
-/// An error of rounding is itself a double that can be computed: T. J. Dekker, "A Floating-Point Technique for Extending the Available
-/// Precision", 1971. Below `least` it may be too small for a double.
-namespace unrounded {
-
-constexpr double least = 0x1p-900;
-
-inline std::optional<double> result(std::plus<>, double a, double b) {
-    const double sum = a + b;
-    const double of_b = sum - a;
-    const double error = (a - (sum - of_b)) + (b - of_b);
-    return error == 0 ? std::optional(sum) : std::nullopt;  // an infinite sum has no error that is a number
-}
-
-inline std::optional<double> result(std::minus<>, double a, double b) { return result(std::plus<>(), a, -b); }
-
-inline std::optional<double> result(std::multiplies<>, double a, double b) {
-    if (a == 0 || b == 0) return 0;
-    const double product = a * b;
-    const bool is_exact = std::abs(product) >= least && std::fma(a, b, -product) == 0;
-    return is_exact ? std::optional(product) : std::nullopt;
-}
-
-inline std::optional<double> result(std::divides<>, double a, double b) {
-    if (b == 0) return std::nullopt;
-    if (a == 0) return 0;
-    const double quotient = a / b;
-    const bool is_exact = std::abs(quotient) >= least && std::abs(a) >= least && std::fma(quotient, b, -a) == 0;
-    return is_exact ? std::optional(quotient) : std::nullopt;
-}
-
-}  // namespace unrounded
-
 class ExactNumber {
-    bool has_doubles() const { return !std::isnan(over_); }
-
-    auto as_rational(auto&& use) const {
-        if (!shared_ && under_ == 1) return use(Rational(over_));
-        // Kept, since a slope is added at each pixel of a row.
-        if (!shared_) shared_ = std::make_shared<Shared>(Rational(over_) / Rational(under_));
-        return use(shared_->value);
-    }
-
 public:
     /// No number.
     ExactNumber() = default;
@@ -142,9 +100,14 @@ public:
     Sign sign() const {
         return has_doubles() ? Sign{int(over_ > 0) - int(over_ < 0)} : Sign{int(CGAL::sign(shared_->value))};
     }
+    /// The greatest whole number low <= i < end that is not above the number, which lies in that range.
     int whole_part(int low, int end) const {
-        const auto value = as_double();
-        return value ? vidno::whole_part(*value, low, end) : vidno::whole_part(rational(), low, end);
+        const auto is_above = [&](int whole) { return related(ExactNumber(whole), *this, std::greater<>()); };
+        const auto about = double(*this);
+        int whole = about > low ? int(std::min(about, end - 1.0)) : low;
+        while (whole > low && is_above(whole)) --whole;
+        while (whole + 1 < end && !is_above(whole + 1)) ++whole;
+        return whole;
     }
 
     /// "p/q" in lowest terms, q > 0. The text of a rational is written once.
@@ -162,6 +125,7 @@ public:
     static ExactNumber result(const ExactNumber& a, const ExactNumber& b, auto operation) {
         if (a.has_doubles() && b.has_doubles()) {
             if (ExactNumber found = of_doubles(a, b, operation)) return found;
+            if (ExactNumber found = of_doubles(a.reduced(), b.reduced(), operation)) return found;
         }
         return as_rationals(a, b, [&](const auto& p, const auto& q) { return ExactNumber(Rational(operation(p, q))); });
     }
@@ -169,8 +133,12 @@ public:
     static bool related(const ExactNumber& a, const ExactNumber& b, auto relation) {
         if (a.has_doubles() && b.has_doubles()) {
             if (a.under_ == b.under_) return relation(a.over_, b.over_);
-            const auto left = product(a.over_, b.under_), right = product(b.over_, a.under_);
-            if (left && right) return relation(*left, *right);
+            const auto left = unrounded::product(a.over_, b.under_), right = unrounded::product(b.over_, a.under_);
+            if (left && right) {
+                // Rounding keeps the order, so only products that round alike are left to their errors.
+                return left->nearest != right->nearest ? relation(left->nearest, right->nearest)
+                                                       : relation(left->error, right->error);
+            }
         }
         return as_rationals(a, b, [&](const auto& p, const auto& q) -> bool { return relation(p, q); });
     }
@@ -187,7 +155,29 @@ private:
 
     ExactNumber(double over, double under) : over_(over + 0.0), under_(under) {}
 
+    bool has_doubles() const { return !std::isnan(over_); }
+
+    template <class Use>
+    std::invoke_result_t<Use, const Rational&> as_rational(Use&& use) const {
+        if (!shared_ && under_ == 1) return use(Rational(over_));
+        // Kept, since the same number is often used again.
+        if (!shared_) shared_ = std::make_shared<Shared>(Rational(over_) / Rational(under_));
+        return use(shared_->value);
+    }
+
+    /// The same number, a quotient of doubles with fewer digits.
+    ExactNumber reduced() const {
+        if (under_ == 1) return *this;
+        const auto divisor = double(std::gcd(dyadic(over_).odd, dyadic(under_).odd));
+        return {over_ / divisor, under_ / divisor};
+    }
+
     static MaybeDouble product(double a, double b) { return unrounded::result(std::multiplies<>(), a, b); }
+
+    static MaybeDouble whole_quotient(double a, double b) {
+        const auto quotient = unrounded::result(std::divides<>(), a, b);
+        return quotient && *quotient == std::floor(*quotient) ? quotient : std::nullopt;
+    }
 
     /// The number over / under; none if one of them is none.
     static ExactNumber quotient(MaybeDouble over, MaybeDouble under) {
@@ -206,6 +196,11 @@ private:
     }
     static ExactNumber of_doubles(const ExactNumber& a, const ExactNumber& b, auto plus_or_minus) {
         if (a.under_ == b.under_) return quotient(unrounded::result(plus_or_minus, a.over_, b.over_), a.under_);
+        // A slope is added at each pixel of a row: the denominator must not grow with each of them.
+        if (const auto times = whole_quotient(a.under_, b.under_)) {
+            const auto over = product(b.over_, *times);
+            return over ? quotient(unrounded::result(plus_or_minus, a.over_, *over), a.under_) : ExactNumber();
+        }
         const auto left = product(a.over_, b.under_), right = product(b.over_, a.under_);
         if (!left || !right) return {};
         return quotient(unrounded::result(plus_or_minus, *left, *right), product(a.under_, b.under_));

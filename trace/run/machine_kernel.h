@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "run/arithmetic.h"
+#include "vidno/kernels/machine.h"
 
 namespace vidno {
 
@@ -22,9 +23,13 @@ public:
     MachineNumber() = default;
     MachineNumber(std::integral auto constant) : value_(double(constant)) {}
     MachineNumber(double constant) : value_(constant) {}
+    static bool is_binary32() { return arithmetic.kind == Arithmetic::Kind::binary32; }
     static MachineNumber rounded(double given) { return {arithmetic.rounded(given), false}; }
+    /// A result in binary32.
+    static MachineNumber of(float result) { return {double(result), false}; }
 
     explicit operator double() const { return value_; }
+    explicit operator float() const { return float(value_); }
 
     MachineNumber& operator+=(const MachineNumber& other) { return *this = *this + other; }
 
@@ -59,7 +64,7 @@ private:
     static MachineNumber computed(const MachineNumber& a, const MachineNumber& b, auto operation) {
         const double result = operation(a.value_, b.value_);
         // The most common arithmetic first. Results of constants are exact in it.
-        if (arithmetic.kind == Arithmetic::Kind::binary32) return {double(float(result)), false};
+        if (is_binary32()) return of(float(result));
         if (a.is_constant_ && b.is_constant_) return result;
         return {arithmetic.rounded(result), false};
     }
@@ -93,9 +98,23 @@ struct MachineKernel : NumberKernel<MachineNumber, MachineEntry> {
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
+    // A page computes these two most often, and most often in binary32, where the arithmetic is chosen once for the whole formula.
+
+    Number cross(const auto& pivot, const auto& a, const auto& b) const {
+        if (!MachineNumber::is_binary32()) return NumberKernel::cross(pivot, a, b);
+        return MachineNumber::of(Float().cross(in_floats(pivot), in_floats(a), in_floats(b)));
+    }
+    Depth depth(const Plane& plane, const auto& point) const {
+        if (!MachineNumber::is_binary32()) return NumberKernel::depth(plane, point);
+        const Float::Plane rounded{float(plane.a), float(plane.b), float(plane.c), float(plane.d)};
+        return MachineNumber::of(Float().depth(rounded, in_floats(point)));
+    }
+
     Number to_store(const Number& z) const { return depth_bits_ ? number(depth_bits_->to_store(double(z))) : z; }
 
 private:
+    static Point<float> in_floats(const auto& point) { return {float(point.x), float(point.y)}; }
+
     std::optional<DepthBits> depth_bits_;
 };
 

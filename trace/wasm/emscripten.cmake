@@ -15,7 +15,7 @@ foreach(header IN ITEMS glm/glm.hpp CGAL/version.h boost/version.hpp nlohmann/js
 endforeach()
 
 # There is no GMP here, and the only rounding mode is to nearest (rounded_up.h). Debian's em++ finds its parser only by NODE_PATH.
-set(em_compiler ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs ${EMXX} -O3 -fwasm-exceptions)
+set(em_compiler ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs ${EMXX} -O3 -fwasm-exceptions -mbulk-memory)
 set(em_flags
     -std=c++20 -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Werror -Wno-bitwise-instead-of-logical
     -DNDEBUG -DCGAL_DISABLE_GMP -DCGAL_ALWAYS_ROUND_TO_NEAREST -DFMT_HEADER_ONLY

@@ -55,9 +55,20 @@ private:
             return text;
         } else {
             const auto [p, q] = parts(value);
+            if (is_word(p) && is_word(q)) {
+                const auto p_word = static_cast<std::int64_t>(p), q_word = static_cast<std::int64_t>(q);
+                const std::int64_t divisor = std::gcd(p_word, q_word);
+                return std::to_string(p_word / divisor) + '/' + std::to_string(q_word / divisor);
+            }
             const Integer divisor = CGAL::gcd(p, q);
             return digits(Integer(p / divisor)) + '/' + digits(Integer(q / divisor));
         }
+    }
+
+    /// Whether the integer and its negative are 64-bit integers.
+    static bool is_word(const auto& integer) {
+        constexpr auto greatest = std::numeric_limits<std::int64_t>::max();
+        return -greatest <= integer && integer <= greatest;
     }
 
     static std::string digits(const auto& number) {
