@@ -21,6 +21,7 @@ import type { OwnGoal } from '../time/goals.js';
 import type { Event, EventName, Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
+import type { Owners } from './owners.js';
 import type { Thing } from './pointed.js';
 import type { View } from './view.js';
 
@@ -63,6 +64,8 @@ export interface Algorithm {
   watch(pixel: Pixel, header: Header): Watch;
   /** The item that was current at an entry of a pixel's history. */
   heading(known: Known, event: Event): Heading | null;
+  /** The owners of the colour that a step painted, by the values after it. Undefined for curves. */
+  owners?(event: Event, known: Known, header: Header): Owners;
   /** The reason why the entry that painted the pixel gave it its colour. */
   why?(entry: Entry, header: Header): Reason;
   /** The text of an entry in place of its step's sentence; null for none. */

@@ -11,6 +11,8 @@ import type { Values } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
+import { ownersAt } from './owners.js';
+import type { Owners } from './owners.js';
 import { sentence } from './sentence.js';
 
 /** A step as the components show it: its event, and the states before and after it. */
@@ -22,6 +24,8 @@ export interface View {
   readonly before: Values;
   readonly after: Values;
   readonly screen: Screen;
+  /** The owners of a pixel; null if it is not painted. */
+  readonly ownersAt: (pixel: Pixel) => Owners | null;
   /** The samples over each column in a run of curves; null in a run of polygons. */
   readonly columns: Columns | null;
   /** The lines that a run of curves has drawn. */
@@ -46,7 +50,8 @@ export interface View {
 /** The parts of a view that the reader chooses, as opposed to those from the trace. */
 export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found'>;
 
-export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
+export function viewOf(trace: Trace, step: number, choice: Choice): View {
+  const { header, timeline } = trace;
   const { language } = choice;
   const before = timeline.seek(Math.max(0, step - 1)).values;
   const { values: after, screen, columns } = timeline.seek(step);
@@ -61,6 +66,7 @@ export function viewOf({ header, timeline }: Trace, step: number, choice: Choice
     before,
     after,
     screen,
+    ownersAt: (pixel) => ownersAt(trace, screen, pixel),
     columns,
     lines: timeline.lines,
     texts: page,

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Owners } from '../algorithm/owners.js';
 import { texts } from '../i18n/index.js';
 import { Screen } from '../replay/screen.js';
 import { headerOf } from '../testing/traces.js';
@@ -8,24 +9,24 @@ import { factsAt } from './pixel-facts.js';
 /** The background is #ffffff, A is #112233, B #445566. */
 const { scene } = parseHeader(headerOf('zbuffer'));
 
+const only = (id: string): Owners => ({ polygons: [id], background: false });
+
 describe('the spoken text of a pixel', () => {
   const screen = new Screen(scene, true);
-  const said = (x: number, y: number): string =>
-    texts.en.history.spoken([x, y], factsAt(screen, [x, y]));
+  const said = (x: number, y: number, owners: Owners | null): string =>
+    texts.en.history.spoken([x, y], factsAt(screen, [x, y], owners));
 
   it('is not painted at first', () => {
-    expect(said(3, 4)).toBe('Pixel (3, 4): not painted yet');
+    expect(said(3, 4, null)).toBe('Pixel (3, 4): not painted yet');
   });
 
-  it('has its colour, its polygon, and the depth in the Z-buffer', () => {
+  it('has its polygon, its colour, and the depth in the Z-buffer', () => {
     screen.clear('#ffffff', '-inf');
     screen.paint(2, 1, 3, 1, '#112233');
     screen.z?.set(3, 1, 0.25);
-    screen.paint(0, 7, 1, 1, '#abcdef');
-    expect(said(3, 1)).toBe('Pixel (3, 1): #112233, the colour of A, depth 0.25');
-    expect(said(0, 7)).toBe('Pixel (0, 7): #abcdef, depth −∞');
-    expect(texts.ru.history.spoken([3, 1], factsAt(screen, [3, 1]))).toBe(
-      'Пиксель (3; 1): #112233, цвет A, глубина 0,25',
+    expect(said(3, 1, only('A'))).toBe('Pixel (3, 1): A, #112233, depth 0.25');
+    expect(texts.ru.history.spoken([3, 1], factsAt(screen, [3, 1], only('A')))).toBe(
+      'Пиксель (3; 1): A, #112233, глубина 0,25',
     );
   });
 
@@ -43,26 +44,26 @@ describe('the spoken text of a pixel', () => {
     };
     const plain = new Screen({ ...scene, polygons: [ramp], byId: new Map([[a.id, ramp]]) }, false);
     plain.paint(1, 0, 1, 1, a.color);
-    expect(texts.en.history.spoken([1, 0], factsAt(plain, [1, 0]))).toBe(
-      'Pixel (1, 0): #112233, the colour of A, depth ≈0.375',
+    expect(texts.en.history.spoken([1, 0], factsAt(plain, [1, 0], only('A')))).toBe(
+      'Pixel (1, 0): A, #112233, depth ≈0.375',
     );
   });
 
-  it('may name several polygons of a colour', () => {
-    const [a, b] = scene.polygons;
-    if (a === undefined || b === undefined) throw new Error('two squares');
-    const alike = new Screen({ ...scene, polygons: [a, { ...b, color: a.color }] }, false);
-    alike.paint(0, 0, 1, 1, a.color);
-    expect(texts.en.history.spoken([0, 0], factsAt(alike, [0, 0]))).toBe(
-      'Pixel (0, 0): #112233, the colour of A and B',
+  it('names all polygons that a pixel may show if the trace does not say which', () => {
+    const plain = new Screen(scene, false);
+    plain.paint(0, 0, 1, 1, '#112233');
+    const owners = { polygons: ['A', 'B'], background: true };
+    expect(texts.en.history.spoken([0, 0], factsAt(plain, [0, 0], owners))).toBe(
+      'Pixel (0, 0): A or B or background, #112233',
     );
   });
 
   it('may name the background', () => {
     const plain = new Screen(scene, false);
     plain.paint(0, 0, 8, 8, '#ffffff');
-    expect(texts.en.history.spoken([0, 0], factsAt(plain, [0, 0]))).toBe(
-      'Pixel (0, 0): #ffffff, the background',
+    const owners = { polygons: [], background: true };
+    expect(texts.en.history.spoken([0, 0], factsAt(plain, [0, 0], owners))).toBe(
+      'Pixel (0, 0): background, #ffffff',
     );
   });
 });

@@ -47,16 +47,16 @@ export class ReadoutElement extends LitElement {
     if (at === null || !isIn(at, area)) return html`<span>${area.width} × ${area.height}</span>`;
     const place = html`<span class="pixel">${numbersOf(view).point(at)}</span>`;
     if (curves !== null) return place;
-    const facts = factsAt(view.screen, at);
+    const facts = factsAt(view.screen, at, view.ownersAt(at));
     return html`${place} ${this.owner(facts)} ${this.depth(facts)}
     ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
   }
 
-  /** The polygon, identified by its colour alone: if several have it, it may be any of them. */
-  private owner({ color, isBackground, polygons }: PixelFacts): TemplateResult {
+  /** The polygon, or all that it may be if the trace does not say which. */
+  private owner({ color, owners: { polygons, background } }: PixelFacts): TemplateResult {
     const { readout } = texts[this.view.language].picture;
     if (color === null) return html`<span>${readout.unpainted}</span>`;
-    const all = [...polygons, ...(isBackground ? [readout.background] : [])];
+    const all = [...polygons, ...(background ? [readout.background] : [])];
     return html`<span>${swatch(color)}${all.join(readout.or)}</span>`;
   }
 

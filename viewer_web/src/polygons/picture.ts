@@ -124,7 +124,8 @@ export class PictureElement extends PlaneElement {
   }
 
   protected override spoken(at: Pixel): string {
-    return this.words.spoken(at, factsAt(this.view.screen, at));
+    const { screen, ownersAt } = this.view;
+    return this.words.spoken(at, factsAt(screen, at, ownersAt(at)));
   }
 
   protected override below(): unknown {

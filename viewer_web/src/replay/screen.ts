@@ -36,7 +36,11 @@ export class Screen {
    * the sides of that window at the pixel.
    */
   readonly division: Grid<number>;
+  /** The step that painted each pixel last; 0 for unpainted ones. */
+  readonly painters: Grid<number>;
   z: Grid<N> | null = null;
+  /** The step of the event that writes now. */
+  step = 0;
   /** The windows that were requested last. */
   private divided: Divided | null = null;
   private places: ReadonlyMap<string, number> | null = null;
@@ -50,6 +54,7 @@ export class Screen {
     const ground = toGround(scene.background);
     this.picture = new Grid<number>(width, height, ground, (n) => new Uint32Array(n));
     this.division = new Grid<number>(width, height, 0, (n) => new Uint8Array(n));
+    this.painters = new Grid<number>(width, height, 0, (n) => new Uint32Array(n));
   }
 
   polygon(id: string): Polygon {
@@ -68,7 +73,9 @@ export class Screen {
   paint(x: number, y: number, width: number, height: number, color: string): void {
     this.expectInside(x, y, width, height);
     const { area } = this.scene;
-    this.picture.fill(x - area.x, y - area.y, width, height, toPixel(color));
+    const [i, j] = [x - area.x, y - area.y];
+    this.picture.fill(i, j, width, height, toPixel(color));
+    this.painters.fill(i, j, width, height, this.step);
   }
 
   protected expectInside(x: number, y: number, width: number, height: number): void {
@@ -112,17 +119,24 @@ export class Screen {
   clear(color: string, z: N): void {
     const { width, height } = this.scene.area;
     this.picture.fill(0, 0, width, height, toGround(color));
+    this.painters.fill(0, 0, width, height, 0);
     if (this.hasDepths) this.z = this.depths(z);
   }
 
   save(): SavedScreen {
-    const { picture, division, z } = this;
-    return { picture: picture.save(), division: division.save(), z: z?.save() ?? null };
+    const { picture, division, painters, z } = this;
+    return {
+      picture: picture.save(),
+      division: division.save(),
+      painters: painters.save(),
+      z: z?.save() ?? null,
+    };
   }
 
-  load({ picture, division, z }: SavedScreen): void {
+  load({ picture, division, painters, z }: SavedScreen): void {
     this.picture.load(picture);
     this.division.load(division);
+    this.painters.load(painters);
     if (z === null) this.z = null;
     else (this.z ??= this.depths('-inf')).load(z);
   }
@@ -155,5 +169,6 @@ export class Bounds extends Screen {
 export interface SavedScreen {
   readonly picture: readonly Row<number>[];
   readonly division: readonly Row<number>[];
+  readonly painters: readonly Row<number>[];
   readonly z: readonly Row<N>[] | null;
 }

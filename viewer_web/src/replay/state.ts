@@ -77,7 +77,7 @@ export class State {
    * Applies the event of a step. Events between that change nothing may be skipped. Throws if the event cannot happen here.
    */
   apply(event: Event, step = this.taken + 1): void {
-    this.change(event);
+    this.change(event, step);
     this.pass(event.e);
     this.calls = movedBy(event, this.calls);
     this.taken = step;
@@ -85,7 +85,7 @@ export class State {
 
   /** The same, if the state is only used to check events. */
   check(event: Event): void {
-    this.change(event);
+    this.change(event, 0);
     if (event.e === 'call') this.calls = movedBy(event, this.calls);
     else this.pass(event.e);
   }
@@ -99,13 +99,13 @@ export class State {
     this.calls = this.calls.slice(0, -1);
   }
 
-  /** Continues to the end of a stretch by applying the events of its changes. */
+  /** Continues to the end of a stretch by applying the events of its changes, in the same order. */
   leap(
-    { end, closed, opened }: Stretch,
-    changes: readonly Event[],
+    { end, changes, closed, opened }: Stretch,
+    changing: readonly Event[],
     eventOf: (step: number) => Event,
   ): void {
-    for (const event of changes) this.change(event);
+    changing.forEach((event, i) => this.change(event, changes[i] ?? end));
     this.calls = this.calls.slice(0, this.calls.length - closed);
     const last = opened.at(-1) === end ? [] : [end];
     for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);
@@ -124,7 +124,8 @@ export class State {
     if (columns !== null) this.columns?.load(columns);
   }
 
-  private change(event: Event): void {
+  private change(event: Event, step: number): void {
+    this.screen.step = step;
     if ('polygon' in event) this.screen.polygon(event.polygon);
     this.hand.take(event, this);
   }

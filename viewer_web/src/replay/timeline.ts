@@ -67,6 +67,11 @@ export class Timeline {
     return this.store.length;
   }
 
+  /** The step of the current state. */
+  get step(): number {
+    return this.state.step;
+  }
+
   /** The numbers of the events' names, for passes over a long run without its events. That of step n is at n - 1. */
   get names(): Uint8Array {
     return this.store.names;

@@ -27,6 +27,7 @@ import { facts, polygonsAsked } from './facts.js';
 import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import './model.js';
+import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { sentences } from './sentences.js';
@@ -80,6 +81,10 @@ defineAlgorithm(methods.filter(hasWindows), {
   goals,
   watch: (pixel, { detail }) => new WarnockWatch(pixel, detail),
   heading: ({ warnock }) => warnock?.window ?? null,
+  owners: (event, known, header) =>
+    event.e === 'fill'
+      ? ownersOf(event, known, header)
+      : { polygons: event.e === 'draw' ? [event.polygon] : [], background: false },
   why,
   entry: ({ event, outcome }, { missed }) =>
     outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,

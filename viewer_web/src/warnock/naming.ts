@@ -1,3 +1,4 @@
+import type { Owners } from '../algorithm/owners.js';
 import { toNumber } from '../language/words.js';
 import type { Known, Words } from '../language/words.js';
 import type { Event } from '../trace/events.js';
@@ -66,12 +67,6 @@ export function containment(warnock: Known['warnock']): number {
 /** The polygon that hides all others in the window: the one that was found, or the only one that surrounds it. */
 export function hidingOf({ warnock }: Known): string | null {
   return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
-}
-
-/** The owners of a colour: one polygon or the background, or all that have the colour if the trace does not say which. */
-export interface Owners {
-  readonly polygons: readonly string[];
-  readonly background: boolean;
 }
 
 const background: Owners = { polygons: [], background: true };

@@ -45,6 +45,10 @@ defineAlgorithm(['weiler-atherton'], {
     if (event.e === 'paint' || event.e === 'order') return event.polygon;
     return weilerAtherton?.inHand?.pieces[0]?.[0] ?? null;
   },
+  owners: (event) => ({
+    polygons: event.e === 'paint' ? [event.polygon] : [],
+    background: false,
+  }),
   why: ({ event }) =>
     event.e === 'paint'
       ? { why: 'region', polygon: event.polygon }

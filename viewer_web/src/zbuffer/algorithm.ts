@@ -55,6 +55,10 @@ defineAlgorithm(['zbuffer'], {
   goals,
   watch: (pixel) => new ZBufferWatch(pixel),
   heading: ({ zbuffer }) => zbuffer?.polygon ?? null,
+  owners: (_event, { zbuffer }) => ({
+    polygons: [zbuffer?.polygon ?? []].flat(),
+    background: false,
+  }),
   why,
   entry: ({ event, known, outcome }, { kept }) =>
     outcome === 'fail' && event.e === 'span' ? kept(known.zbuffer?.polygon ?? '') : null,

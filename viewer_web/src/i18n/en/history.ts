@@ -4,17 +4,12 @@ import { approximately, short } from '../../language/words.js';
 export const history: HistoryTexts = {
   pixel: 'Pixel',
   at: (x, y) => `Pixel (${x}, ${y})`,
-  spoken: ([x, y], { color, isBackground, polygons, depth, isStored }) => {
-    const owners = [...(isBackground ? ['the background'] : []), ...polygons];
-    const whose =
-      isBackground && polygons.length === 0
-        ? 'the background'
-        : `the colour of ${owners.join(' and ')}`;
-    const colors =
-      color === null ? ['not painted yet'] : [color, ...(owners.length === 0 ? [] : [whose])];
+  spoken: ([x, y], { color, owners: { polygons, background }, depth, isStored }) => {
+    const owner = [...polygons, ...(background ? ['background'] : [])].join(' or ');
+    const painted = color === null ? ['not painted yet'] : [owner, color].filter(Boolean);
     const depths =
       depth === null ? [] : [`depth ${isStored ? short(depth) : approximately(short(depth))}`];
-    return `Pixel (${x}, ${y}): ${[...colors, ...depths].join(', ')}`;
+    return `Pixel (${x}, ${y}): ${[...painted, ...depths].join(', ')}`;
   },
   hint: (key) =>
     `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,

@@ -5,14 +5,12 @@ import { short } from './numbers.js';
 export const history: HistoryTexts = {
   pixel: 'Пиксель',
   at: (x, y) => `Пиксель (${x}; ${y})`,
-  spoken: ([x, y], { color, isBackground, polygons, depth, isStored }) => {
-    const owners = [...(isBackground ? ['фона'] : []), ...polygons];
-    const whose = isBackground && polygons.length === 0 ? 'фон' : `цвет ${owners.join(' и ')}`;
-    const colors =
-      color === null ? ['ещё не закрашен'] : [color, ...(owners.length === 0 ? [] : [whose])];
+  spoken: ([x, y], { color, owners: { polygons, background }, depth, isStored }) => {
+    const owner = [...polygons, ...(background ? ['фон'] : [])].join(' или ');
+    const painted = color === null ? ['ещё не закрашен'] : [owner, color].filter(Boolean);
     const depths =
       depth === null ? [] : [`глубина ${isStored ? short(depth) : approximately(short(depth))}`];
-    return `Пиксель (${x}; ${y}): ${[...colors, ...depths].join(', ')}`;
+    return `Пиксель (${x}; ${y}): ${[...painted, ...depths].join(', ')}`;
   },
   hint: (key) =>
     `Щёлкните по пикселю изображения${key === null ? '' : ` или нажмите ${key}`}: здесь будет всё, что его касалось, и почему у него такой цвет.`,
