@@ -46,6 +46,28 @@ describe('a sentence claims no more than the step', () => {
     expect(saying(pixel(0.5, 0.25, true), 'printed')[0]).toMatch(/0\.5 is nearer than 0\.25, so/u);
   });
 
+  it('about depths that look otherwise: the step may compare more than it writes, or be wrong', () => {
+    expect(saying(pixel(0.25, 0.5, true), 'corrected')).toEqual([
+      'Pixel (3, 1): 0.25 counts as nearer than 0.5, so it shows.',
+      'Пиксель (3; 1): 0,25 считается ближе, чем 0,5, — он виден.',
+    ]);
+    expect(saying(pixel(0.5, 0.25, false), 'corrected')[0]).toMatch(/counts as not nearer than/u);
+    const compare: Event = {
+      ...{ e: 'compare', at: 'PW6', polygon: 'A', corner: 'lb' },
+      ...{ z: 0.5, against: 0.5, nearer: true },
+    };
+    expect(saying(compare, 'corrected')).toEqual([
+      'At the top left A counts as nearer: 0.5 against 0.5.',
+      'В левом верхнем углу A считается ближе: 0,5 против 0,5.',
+    ]);
+    expect(saying({ ...compare, z: 0.75 }, 'corrected')[0]).toMatch(/A is nearer: 0\.75 > 0\.5/u);
+    const order: Event = {
+      ...{ e: 'order', at: 'PR2', polygon: 'A', other: 'B', point: [1, 1] },
+      ...{ z: '1/3', otherZ: '1/3', order: -1 },
+    };
+    expect(saying(order, 'corrected')[0]).toMatch(/A counts as behind B: 1\/3 against 1\/3\./u);
+  });
+
   it('about a line: one that covers no centre may still lie in the area', () => {
     const miss = (at: Event<'miss'>['at']): string =>
       saying({ e: 'miss', at }, 'corrected')[0] ?? '';

@@ -1,6 +1,6 @@
 import type { Bilingual } from '../language/language.js';
 import type { SentencesOf } from '../language/texts.js';
-import { capital, cells, listed } from '../language/words.js';
+import { agrees, capital, cells, listed } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import type { Event, WarnockEvents } from '../trace/events.js';
 import type { N } from '../trace/values.js';
@@ -161,15 +161,20 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   compare: {
     en: ({ polygon, corner, z, against, nearer }, words) => {
       const where = corner === undefined ? 'At the point' : `At the ${words.places([corner])}`;
-      const sign = nearer ? '>' : '≯';
-      const so = nearer ? 'is nearer' : 'is not nearer';
-      return `${where} ${polygon} ${so}: ${words.shortApart(z, against).join(` ${sign} `)}.`;
+      const [own, other] = words.shortApart(z, against);
+      const so = nearer ? 'nearer' : 'not nearer';
+      return agrees(nearer, z, against)
+        ? `${where} ${polygon} is ${so}: ${own} ${nearer ? '>' : '≯'} ${other}.`
+        : `${where} ${polygon} counts as ${so}: ${own} against ${other}.`;
     },
     ru: ({ polygon, corner, z, against, nearer }, words) => {
       const place =
         corner === undefined ? 'В точке' : capital(inCorner[words.places([corner])] ?? '');
+      const [own, other] = words.shortApart(z, against);
       const so = nearer ? 'ближе' : 'не ближе';
-      return `${place} ${polygon} ${so}: ${words.shortApart(z, against).join(nearer ? ' > ' : ' ≯ ')}.`;
+      return agrees(nearer, z, against)
+        ? `${place} ${polygon} ${so}: ${own} ${nearer ? '>' : '≯'} ${other}.`
+        : `${place} ${polygon} считается ${so}: ${own} против ${other}.`;
     },
   },
   nearer: {

@@ -1,6 +1,6 @@
 import { commonSentences } from '../algorithm/common-sentences.js';
 import type { SentencesOf } from '../language/texts.js';
-import { cells } from '../language/words.js';
+import { cells, orderOf } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import type { WeilerAthertonEvents } from '../trace/events.js';
 import { isOpenOutline } from './events.js';
@@ -178,26 +178,28 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
     en: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
       const [own, other] = shortApart(z, clipZ);
       const where = `At ${point(at)}, the mean of its vertices, ${polygon} has depth ${own}, ${clip} ${other}`;
+      const is = orderOf(z, clipZ) === order ? '' : 'which counts as ';
       if (order === 0) {
         return behind
-          ? `${where}: equal, and ${clip} comes first in the scene, so ${polygon} is behind.`
-          : `${where}: equal, and ${polygon} comes first in the scene, so it is nearer.`;
+          ? `${where}: ${is}equal, and ${clip} comes first in the scene, so ${polygon} is behind.`
+          : `${where}: ${is}equal, and ${polygon} comes first in the scene, so it is nearer.`;
       }
       return behind
-        ? `${where}: less, so ${polygon} is behind, here and on the whole piece.`
-        : `${where}: greater, so ${polygon} is nearer, here and on the whole piece.`;
+        ? `${where}: ${is}less, so ${polygon} is behind, here and on the whole piece.`
+        : `${where}: ${is}greater, so ${polygon} is nearer, here and on the whole piece.`;
     },
     ru: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
       const [own, other] = shortApart(z, clipZ);
       const where = `В точке ${point(at)}, среднем вершин, глубина ${polygon} равна ${own}, ${clip} — ${other}`;
+      const is = orderOf(z, clipZ) === order ? '' : 'считается, что ';
       if (order === 0) {
         return behind
-          ? `${where}: столько же, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
-          : `${where}: столько же, и ${polygon} в сцене раньше, поэтому он ближе.`;
+          ? `${where}: ${is}столько же, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
+          : `${where}: ${is}столько же, и ${polygon} в сцене раньше, поэтому он ближе.`;
       }
       return behind
-        ? `${where}: меньше, поэтому ${polygon} сзади, здесь и на всей части.`
-        : `${where}: больше, поэтому ${polygon} ближе, здесь и на всей части.`;
+        ? `${where}: ${is}меньше, поэтому ${polygon} сзади, здесь и на всей части.`
+        : `${where}: ${is}больше, поэтому ${polygon} ближе, здесь и на всей части.`;
     },
   },
   nearer_ones: {
@@ -225,12 +227,18 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
     en: ({ polygon, other, point: at, z, otherZ, order }, { point, shortApart }) => {
       const so = { '-1': 'behind', 0: 'as near as', 1: 'nearer than' }[order];
       const sign = { '-1': '<', 0: '=', 1: '>' }[order];
-      return `At the centre ${point(at)} ${polygon} is ${so} ${other}: ${shortApart(z, otherZ).join(` ${sign} `)}.`;
+      const [own, others] = shortApart(z, otherZ);
+      return orderOf(z, otherZ) === order
+        ? `At the centre ${point(at)} ${polygon} is ${so} ${other}: ${own} ${sign} ${others}.`
+        : `At the centre ${point(at)} ${polygon} counts as ${so} ${other}: ${own} against ${others}.`;
     },
     ru: ({ polygon, other, point: at, z, otherZ, order }, { point, shortApart }) => {
       const so = { '-1': 'дальше, чем', 0: 'так же близко, как', 1: 'ближе, чем' }[order];
       const sign = { '-1': '<', 0: '=', 1: '>' }[order];
-      return `В центре ${point(at)} ${polygon} ${so} ${other}: ${shortApart(z, otherZ).join(` ${sign} `)}.`;
+      const [own, others] = shortApart(z, otherZ);
+      return orderOf(z, otherZ) === order
+        ? `В центре ${point(at)} ${polygon} ${so} ${other}: ${own} ${sign} ${others}.`
+        : `В центре ${point(at)} ${polygon} считается ${so} ${other}: ${own} против ${others}.`;
     },
   },
   paint: {

@@ -11,10 +11,10 @@ const edgesOf = ({ edges }: { readonly edges: readonly number[] }): string =>
 /** The printed text also shows equal depths, but nothing beyond 1. */
 function shownBy({ z, stored, shown }: Event<'pixel'>, numbers: Numbers): string {
   const order = orderOf(z, stored);
-  if (shown) return numbers.shortApart(z, stored).join(order === 0 ? ' ≥ ' : ' > ');
-  return order === 1 && toNumber(z) > 1
+  if (shown && order === 0) return numbers.shortApart(z, stored).join(' ≥ ');
+  return !shown && order === 1 && toNumber(z) > 1
     ? `${numbers.short(z)} > 1`
-    : nearer(z, stored, false, numbers);
+    : nearer(z, stored, shown, numbers);
 }
 
 /** The notes of the events of the Z-buffer algorithm, in the notation of the listing. */

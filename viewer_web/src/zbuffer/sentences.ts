@@ -1,5 +1,5 @@
 import type { SentencesOf } from '../language/texts.js';
-import { capital, cells, listed, orderOf, rangeOf } from '../language/words.js';
+import { agrees, capital, cells, listed, orderOf, rangeOf } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import { hasDefect } from '../trace/editions.js';
 import type { ZBufferEvents } from '../trace/events.js';
@@ -122,9 +122,10 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
           ? `Pixel ${point([x, y])}: ${depth} is as near as ${before}, so it shows.`
           : `Pixel ${point([x, y])}: ${depth} is nearer than ${before} but greater than 1, so it stays hidden.`;
       }
+      const is = agrees(shown, z, stored) ? 'is' : 'counts as';
       return shown
-        ? `Pixel ${point([x, y])}: ${depth} is nearer than ${before}, so it shows.`
-        : `Pixel ${point([x, y])}: ${depth} is not nearer than ${before}, so it stays hidden.`;
+        ? `Pixel ${point([x, y])}: ${depth} ${is} nearer than ${before}, so it shows.`
+        : `Pixel ${point([x, y])}: ${depth} ${is} not nearer than ${before}, so it stays hidden.`;
     },
     ru: ({ x, y, z, stored, shown }, { header, shortApart, point }) => {
       const [depth, before] = shortApart(z, stored);
@@ -134,9 +135,10 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
           ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, — он виден.`
           : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;
       }
+      const own = agrees(shown, z, stored) ? depth : `${depth} считается`;
       return shown
-        ? `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, — он виден.`
-        : `Пиксель ${point([x, y])}: ${depth} не ближе, чем ${before}, — он закрыт.`;
+        ? `Пиксель ${point([x, y])}: ${own} ближе, чем ${before}, — он виден.`
+        : `Пиксель ${point([x, y])}: ${own} не ближе, чем ${before}, — он закрыт.`;
     },
   },
   span: {

@@ -47,7 +47,7 @@ export interface Fact {
   /** One pattern for all languages, or one for each. A pattern after a minus must not occur. */
   readonly says?: readonly Says[];
 }
-type Says = Readonly<Record<Language, RegExp>>;
+export type Says = Readonly<Record<Language, RegExp>>;
 
 export type Facts<K extends EventName> = {
   readonly [P in K]: (event: Event<P>, moment: Moment) => Fact;

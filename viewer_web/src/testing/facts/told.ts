@@ -11,6 +11,18 @@ export function value(n: N): number {
   return Number((BigInt(above) * 10n ** 18n) / BigInt(below)) / 1e18;
 }
 
+/** The order of two numbers of a trace, fractions exactly: -1, 0 or 1; NaN if there is none. */
+export function orderOfNumbers(a: N, b: N): number {
+  const whole = /^-?\d+\/[1-9]\d*$/;
+  if (typeof a !== 'string' || typeof b !== 'string' || !whole.test(a) || !whole.test(b)) {
+    return value(a) === value(b) ? 0 : Math.sign(value(a) - value(b));
+  }
+  const [[p = 0n, q = 1n], [r = 0n, s = 1n]] = [a, b].map((each) =>
+    each.split('/').map(BigInt),
+  ) as [bigint[], bigint[]];
+  return p * s === r * q ? 0 : p * s > r * q ? 1 : -1;
+}
+
 const number =
   /(?<![\p{L}\d])(?:≈ ?)?[−+]?(?:∞|nan|\d+(?:[.,]\d+)?(?:e[+−-]?\d+)?(?:\/\d+)?)(?![\p{L}\d])/giu;
 

@@ -2,7 +2,7 @@ import type { CommonEvents, FamilyEvents, WarnockEvents } from '../../trace/even
 import type { Box, N } from '../../trace/values.js';
 import { answered, listed, none, of, only, said, total } from './fact.js';
 import type { Fact, Facts, Moment } from './fact.js';
-import { value } from './told.js';
+import { orderOfNumbers, value } from './told.js';
 
 const corners = {
   lb: said(/top left/iu, /лев\S+ верхн/iu),
@@ -88,11 +88,17 @@ export const warnockFacts: Facts<WindowEvent> = {
     ...of(polygon, z, against),
     says: [
       ...(corner === undefined ? [] : [corners[corner]]),
-      ...answered(
-        nearer,
-        said(/is nearer: .* > /u, / ближе: .* > /u),
-        said(/is not nearer: .* ≯ /u, /не ближе: .* ≯ /u),
-      ),
+      ...(nearer === (orderOfNumbers(z, against) === 1)
+        ? answered(
+            nearer,
+            said(/is nearer: .* > /u, / ближе: .* > /u),
+            said(/is not nearer: .* ≯ /u, /не ближе: .* ≯ /u),
+          )
+        : answered(
+            nearer,
+            said(/counts as nearer: .* against /u, /считается ближе: .* против /u),
+            said(/counts as not nearer: .* against /u, /считается не ближе: .* против /u),
+          )),
     ],
   }),
   nearer: ({ polygon, corners: at, k }) => ({

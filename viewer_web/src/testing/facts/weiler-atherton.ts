@@ -1,8 +1,8 @@
 import type { WeilerAthertonEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, listed, none, of, only, said, total } from './fact.js';
-import type { Facts } from './fact.js';
-import { value } from './told.js';
+import type { Facts, Says } from './fact.js';
+import { orderOfNumbers, value } from './told.js';
 
 type Loops = readonly (readonly (readonly N[])[])[];
 
@@ -74,10 +74,11 @@ export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row
     says: [
       ...answered(behind, said(/is behind/u, /сзади/u), said(/is nearer/u, /ближе/u)),
       {
-        '-1': said(/: less/u, /: меньше/u),
-        0: said(/: equal/u, /: столько же/u),
-        1: said(/: greater/u, /: больше/u),
+        '-1': said(/ less, so/u, / меньше, поэтому/u),
+        0: said(/ equal, and/u, / столько же, и/u),
+        1: said(/ greater, so/u, / больше, поэтому/u),
       }[order],
+      ...countsIfOther(order, z, clipZ),
     ],
   }),
   nearer_ones: ({ polygons }, { after }) => ({
@@ -90,15 +91,20 @@ export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row
     numbers: [...point, z, otherZ],
     says: [
       {
-        '-1': said(/is behind/u, /дальше, чем/u),
+        '-1': said(/ behind/u, /дальше, чем/u),
         0: said(/as near as/u, /так же близко/u),
         1: said(/nearer than/u, /ближе, чем/u),
       }[order],
+      ...countsIfOther(order, z, otherZ),
     ],
   }),
   paint: ({ polygon, runs }) => of(polygon, ...(total(runs) === 0 ? [] : [total(runs)])),
   painted: () => none,
 };
+
+/** If the depths as written have another order, the sentence says that they count as having this one. */
+const countsIfOther = (order: number, z: N, other: N): readonly Says[] =>
+  orderOfNumbers(z, other) === order ? [] : [said(/counts as /u, /считается/u)];
 
 /** The length of a list, if it is long. */
 const more = (ids: readonly string[]): readonly number[] => (ids.length > 6 ? [ids.length] : []);

@@ -3,7 +3,7 @@ import type { ZBufferEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, none, of, only, said, total } from './fact.js';
 import type { Fact, Facts } from './fact.js';
-import { value } from './told.js';
+import { orderOfNumbers, value } from './told.js';
 
 /** Edges, and the next item if there is one. */
 const edgesAnd = ({
@@ -38,14 +38,19 @@ export const zBufferFacts: Facts<keyof ZBufferEvents> = {
   slope: ({ dz }) => only(dz),
   columns: ({ first, end, z }) => (first < end ? only(...new Set([first, end - 1]), z) : none),
   pixel: ({ x, y, z, stored, shown }, { edition }) => {
-    const isNearer = value(z) > value(stored);
+    const order = orderOfNumbers(z, stored);
+    const isNearer = order === 1;
     const isBeyond = isNearer && !shown && value(z) > 1;
-    const isTie = hasDefect(edition, 'x-z7') && shown && value(z) === value(stored);
+    const isTie = hasDefect(edition, 'x-z7') && shown && order === 0;
     return {
       ...only(x, y, z, stored, ...(isBeyond ? [1] : [])),
       says: [
         ...answered(shown, said(/so it shows/u, /он виден/u), said(/stays hidden/u, /он закрыт/u)),
-        ...(isTie ? [said(/is as near as/u, /так же близко/u)] : []),
+        isTie
+          ? said(/is as near as/u, /так же близко/u)
+          : isNearer === shown || isBeyond
+            ? said(/ is (not )?nearer than/u, /\d (не )?ближе, чем/u)
+            : said(/counts as (not )?nearer than/u, /считается (не )?ближе, чем/u),
       ],
     };
   },
