@@ -118,9 +118,8 @@ inline constexpr std::string_view floating_horizon_method = "floating-horizon";
 inline constexpr MethodChoice floating_horizon_choice{
     .does = "draw what lies beyond the horizons, and move the horizons there",
     .title = {"Floating horizon", "Плавающий горизонт"},
-    .says = {"Curves with samples on whole columns, the nearest first. Draws what is beyond both horizons, and raises "
-             "them to "
-             "it.",
+    .says = {"Curves with samples on whole columns, the nearest first. Draws what lies beyond the horizons, and moves "
+             "the horizons there.",
              "Кривые с отсчётами в целых столбцах, начиная с ближней. Рисуется то, что выходит за оба горизонта, и они "
              "сдвигаются до него."},
     .procedure = Procedure::floating_horizon,

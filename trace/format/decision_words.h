@@ -10,9 +10,9 @@ namespace vidno {
 
 /// For the middle of a sentence, in the order of Decision.
 inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
-    {"a comparison of two numbers", "сравнение двух чисел"},
-    {"the side of the line", "сторона прямой"},
-    {"the comparison of depths", "сравнение глубин"},
+    {"how two numbers compare", "какое из двух чисел больше"},
+    {"on which side of the line the point lies", "по какую сторону прямой лежит точка"},
+    {"whether the depth is nearer", "ближе ли глубина"},
     {"whether the box lies outside the window", "лежит ли габаритный прямоугольник вне окна"},
     {"whether the box lies inside the window", "лежит ли габаритный прямоугольник внутри окна"},
     {"the first pixel", "первый пиксель"},

@@ -119,7 +119,7 @@ std::string in_words(Deviation deviation, const Words& say) {
                     "Она ведёт себя как дефект {} печатного текста: {}."},
                    std::string(choice.title.english), say.of(choice.says));
     }
-    return say({"It behaves like a usual mistake, {}: {}.", "Она ведёт себя как при обычной ошибке {}: {}."},
+    return say({"It behaves like a usual mistake, {}: {}.", "Она ведёт себя как при типичной ошибке {}: {}."},
                std::string(choice.mistake),
                choice.advice.english.empty() ? say.of(choice.says) : say.of(choice.advice));
 }

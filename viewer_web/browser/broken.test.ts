@@ -67,7 +67,7 @@ describe('a broken line of the listing', () => {
     await expect.poll(() => stepsOf(page)).toEqual([18, 18]);
     expect(await sentences(page)).toEqual(['PW7', 'PW8']);
     // Q stays visible: all of N is lost.
-    expect(await result(page)).toBe('64 of 256 pixels change.');
+    expect(await result(page)).toBe('Pixels that change: 64 of 256.');
     const [right, wrong] = [await changed(page, 'right'), await changed(page, 'wrong')];
     expect([right.length, wrong.length]).toEqual([64, 64]);
     expect(new Set(right).size).toBe(1);
@@ -90,7 +90,7 @@ describe('a broken line of the listing', () => {
     await breakLine(page, 'W13', 'one-list');
     expect(await title(page)).toBe('Broken: W13 one list for all parts');
     // Q is in all windows and N is disjoint from some. N leaves the one list there, and is lost.
-    expect(await result(page)).toBe('64 of 256 pixels change.');
+    expect(await result(page)).toBe('Pixels that change: 64 of 256.');
     await expect.poll(() => sentences(page)).toEqual(['W13', 'W13']);
     expect(faults).toEqual([]);
   });
@@ -100,7 +100,7 @@ describe('a broken line of the listing', () => {
     await breakLine(page, 'D1', 'depth-sign-reversed');
     await page.getByRole('button', { name: 'Smallest scene that shows it' }).click();
     await page.locator('vidno-broken-line button[name=own]').waitFor();
-    await expect.poll(() => result(page)).toBe('1 of 1 pixels change.');
+    await expect.poll(() => result(page)).toBe('Pixels that change: 1 of 1.');
     await expect.poll(() => sentences(page)).toEqual(['PW5', 'PW5']);
     await page.waitForURL(/witness=[1-9]/u);
     // The witness is part of the link.
@@ -110,7 +110,7 @@ describe('a broken line of the listing', () => {
     expect(await stepsOf(other.page)).toEqual(await stepsOf(page));
     expect(other.faults).toEqual([]);
     await page.getByRole('button', { name: 'Back to the scene' }).click();
-    await expect.poll(() => result(page)).toMatch(/of 256 pixels change\.$/u);
+    await expect.poll(() => result(page)).toMatch(/^Pixels that change: \d+ of 256\.$/u);
     await page.getByRole('button', { name: 'Back to the correct run' }).click();
     await page.locator('vidno-comparison').waitFor({ state: 'detached' });
     expect((await shown(page)).step).toBe(7);
@@ -149,7 +149,7 @@ describe('a broken line of the listing', () => {
   it('runs again as a corner of the edited scene moves', async () => {
     const { page, faults } = await editing(browser);
     await breakLine(page, 'D1', 'depth-sign-reversed');
-    expect(await result(page)).toMatch(/of 64 pixels change\.$/u);
+    expect(await result(page)).toMatch(/^Pixels that change: \d+ of 64\.$/u);
     await page.keyboard.press('e');
     await page.locator(handle(0, 0)).first().focus();
     await page.keyboard.press('ArrowRight');

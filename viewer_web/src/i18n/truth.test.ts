@@ -38,7 +38,7 @@ describe('a sentence claims no more than the step', () => {
   it('about a pixel: the printed text shows ties, and nothing beyond 1', () => {
     expect(saying(pixel(0.5, 0.5, true), 'printed')).toEqual([
       'Pixel (3, 1): 0.5 is as near as 0.5, so it shows.',
-      'Пиксель (3; 1): 0,5 так же близко, как 0,5, — он виден.',
+      'Пиксель (3; 1): 0,5 так же близко, как 0,5, и многоугольник виден.',
     ]);
     expect(saying(pixel(1.5, -1, false), 'printed')[0]).toBe(
       'Pixel (3, 1): 1.5 is nearer than −1 but greater than 1, so it stays hidden.',
@@ -49,7 +49,7 @@ describe('a sentence claims no more than the step', () => {
   it('about depths that look otherwise: the step may compare more than it writes, or be wrong', () => {
     expect(saying(pixel(0.25, 0.5, true), 'corrected')).toEqual([
       'Pixel (3, 1): 0.25 counts as nearer than 0.5, so it shows.',
-      'Пиксель (3; 1): 0,25 считается ближе, чем 0,5, — он виден.',
+      'Пиксель (3; 1): 0,25 считается ближе, чем 0,5, и многоугольник виден.',
     ]);
     expect(saying(pixel(0.5, 0.25, false), 'corrected')[0]).toMatch(/counts as not nearer than/u);
     const compare: Event = {

@@ -243,13 +243,8 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
       return `${found} counted in the window; ${hasSurround ? `${one} hides all others` : 'none is known to hide the others'}.`;
     },
     ru: ({ count, hasSurround }, words) => {
-      const found = words.counted(count, {
-        one: 'многоугольник',
-        few: 'многоугольника',
-        other: 'многоугольников',
-      });
       const one = words.after.warnock?.covering ?? 'один из них';
-      return `В окне учтено ${found}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
+      return `Учтено многоугольников в окне: ${count}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
     },
   },
   decide: {

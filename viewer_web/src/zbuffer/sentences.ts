@@ -132,13 +132,13 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
       const order = orderOf(z, stored);
       if (hasDefect(header.edition, 'x-z7') && shown !== (order === 1)) {
         return shown
-          ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, — он виден.`
-          : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;
+          ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, и многоугольник виден.`
+          : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, и многоугольник закрыт.`;
       }
       const own = agrees(shown, z, stored) ? depth : `${depth} считается`;
       return shown
-        ? `Пиксель ${point([x, y])}: ${own} ближе, чем ${before}, — он виден.`
-        : `Пиксель ${point([x, y])}: ${own} не ближе, чем ${before}, — он закрыт.`;
+        ? `Пиксель ${point([x, y])}: ${own} ближе, чем ${before}, и многоугольник виден.`
+        : `Пиксель ${point([x, y])}: ${own} не ближе, чем ${before}, и многоугольник закрыт.`;
     },
   },
   span: {

@@ -11,10 +11,10 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. The least wrong is ${leastWrong}, in ${share} of the pixels.`,
+        `Cheaper runs: ${count}, all of them wrong. The one with the fewest wrong pixels, ${share}, is ${leastWrong}.`,
       safe: 'It decides as exact arithmetic does, so it is right in every scene.',
       safer: (run, times) =>
-        `Its arithmetic rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run}, at ${times} the cost.`,
+        `This run rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run}, at ${times} the cost.`,
       others: (runs) => `The cheapest right runs of the other methods, compared with it: ${runs}.`,
       neverRight: (methods) => `Not right under any kernel: ${methods}.`,
     },
@@ -30,10 +30,10 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `“${run}” is the cheapest of those that draw every column right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. The least wrong is “${leastWrong}”, in ${share} of the columns.`,
+        `Cheaper runs: ${count}, all of them wrong. The one with the fewest wrong columns, ${share}, is “${leastWrong}”.`,
       safe: 'It decides as exact arithmetic does, on every surface.',
       safer: (run, times) =>
-        `Its arithmetic rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}”, at ${times} the cost.`,
+        `This run rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}”, at ${times} the cost.`,
       others: (runs) => `The cheapest right runs with other samples, compared with it: ${runs}.`,
       neverRight: (samplings) => `Not right under any kernel: ${samplings}.`,
     },

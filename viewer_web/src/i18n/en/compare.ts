@@ -59,7 +59,7 @@ export const compare: CompareTexts = {
     mistake: 'usual mistake',
     is: (lines) => `Broken: ${lines}`,
     first: (step) => `First difference: step ${step}`,
-    pixels: (n, all) => `${n} of ${all} pixels change.`,
+    pixels: (n, all) => `Pixels that change: ${n} of ${all}.`,
     columns: (n) => `Columns over which curves change: ${n}.`,
     fault: (step) => `The broken run fails at step ${step}.`,
     stepsAlone: 'The picture stays the same; only the steps differ.',

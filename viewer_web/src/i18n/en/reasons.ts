@@ -35,7 +35,8 @@ export const reasons: ReasonTexts = {
   noEvent: (name, method) => `${name} is not an event of the method ${method}`,
   tooDetailed: (name, detail) => `${name} is not an event of the level ${detail}`,
   afterEnd: () => 'a line after the end of the trace',
-  eventCount: (said, found) => `the last line says ${said} events, but there are ${found}`,
+  eventCount: (said, found) =>
+    `the number of events in the last line is ${said}, but the trace has ${found}`,
   notUtf8: () => 'the text is not UTF-8',
   longLine: () => 'the line is too long',
   notGzip: () => 'the gzip file is damaged',

@@ -8,9 +8,9 @@ const count = (n: number, forms: PluralForms): string => counted(n, forms, rules
 export const words: WordTexts = {
   explain: 'What these words mean',
   editions: {
-    corrected: 'The procedures of the course text, with its printing errors corrected.',
+    corrected: 'The procedures of the course text, with its errors corrected.',
     printed: 'The procedures exactly as the course text prints them, errors included.',
-    defects: 'The corrected procedures with some printing errors of the course text restored.',
+    defects: 'The corrected procedures with some errors of the course text restored.',
     mistake: 'The corrected procedures with one usual mistake in them.',
   },
   details: {

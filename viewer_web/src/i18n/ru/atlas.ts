@@ -9,7 +9,7 @@ export const atlas: AtlasTexts = {
   kinds: {
     rounding: 'округление',
     printed: 'ошибки печатного текста',
-    mistake: 'обычные ошибки',
+    mistake: 'типичные ошибки',
     limit: 'пределы метода',
     test: 'без сцены',
   },

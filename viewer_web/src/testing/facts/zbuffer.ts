@@ -45,7 +45,11 @@ export const zBufferFacts: Facts<keyof ZBufferEvents> = {
     return {
       ...only(x, y, z, stored, ...(isBeyond ? [1] : [])),
       says: [
-        ...answered(shown, said(/so it shows/u, /он виден/u), said(/stays hidden/u, /он закрыт/u)),
+        ...answered(
+          shown,
+          said(/so it shows/u, /многоугольник виден/u),
+          said(/stays hidden/u, /многоугольник закрыт/u),
+        ),
         isTie
           ? said(/is as near as/u, /так же близко/u)
           : isNearer === shown || isBeyond
