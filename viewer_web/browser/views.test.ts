@@ -148,7 +148,7 @@ describe('the title', () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first');
     const words = page.locator('vidno-run-words');
     for (const [word, meaning] of [
-      ['corrected', 'printing errors corrected'],
+      ['corrected', 'with its errors corrected'],
       ['double', '53 significant bits'],
       ['signs', 'sign of each decision'],
     ] as const) {
@@ -314,6 +314,27 @@ describe('a divider', () => {
     await page.locator('vidno-divider.across').focus();
     await page.keyboard.press('Enter');
     await expect.poll(() => width('section.picture')).toBeGreaterThan(smaller + 10);
+  });
+
+  it('lies between listing, scene and state while a scene is edited beside its lesson', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    await page.locator('vidno-listing').waitFor();
+    await page.keyboard.press('e');
+    await page.keyboard.press('x');
+    const height = async (part: string): Promise<number> =>
+      (await page.locator(`vidno-player section.${part}`).boundingBox())?.height ?? 0;
+    await expect.poll(() => height('scene')).toBeGreaterThan(200);
+    for (const [divider, before, after] of [
+      ['under', 'listing', 'scene'],
+      ['between', 'scene', 'side'],
+    ] as const) {
+      const [one, other] = [await height(before), await height(after)];
+      await page.locator(`vidno-divider.${divider}`).focus();
+      await page.keyboard.press('ArrowDown');
+      await page.keyboard.press('ArrowDown');
+      await expect.poll(() => height(before), divider).toBeGreaterThan(one + 4);
+      await expect.poll(() => height(after), divider).toBeLessThan(other - 4);
+    }
   });
 
   it.each([

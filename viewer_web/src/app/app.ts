@@ -434,6 +434,7 @@ export class AppElement extends LitElement implements Shown, Told {
     const isOpen = (trace: LessonTrace): boolean => idOf(trace) === session.lesson;
     const lesson = this.lessons.find(({ traces }) => traces.some(isOpen));
     const run = lesson?.traces.find(isOpen)?.title ?? lesson?.title;
-    return run?.[setup.language] ?? nameIn(setup.language, session.name);
+    const { language } = setup;
+    return run?.[language] ?? (nameIn(language, session.name) || texts[language].page.unnamed);
   }
 }

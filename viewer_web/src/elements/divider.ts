@@ -10,9 +10,9 @@ const largest = 0.8;
 const stride = 0.02;
 
 /**
- * A line between two parts of a grid, its neighbours in the document, which can be dragged. It sets the sizes of both as
- * custom properties of its parent, `--NAME` and `--NAME-rest`, and stores them. Until it is moved, the parent's style
- * determines the sizes.
+ * A line between two parts of a grid, its neighbours in the document, which can be dragged. It sets their sizes as custom
+ * properties of its parent, `--NAME` and `--NAME-rest` in fr, and `--NAME-share` from 0 to 1, and stores them. Until it is
+ * moved, the parent's style determines the sizes.
  */
 @customElement('vidno-divider')
 export class DividerElement extends LitElement {
@@ -120,13 +120,16 @@ export class DividerElement extends LitElement {
     const root = this.getRootNode();
     const whole = this.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
     const style = whole instanceof HTMLElement ? whole.style : undefined;
-    for (const [name, part] of [
-      [`--${this.name}`, share],
-      [`--${this.name}-rest`, share === null ? null : 1 - share],
-    ] as const) {
-      if (part === null) style?.removeProperty(name);
-      else style?.setProperty(name, `${(100 * part).toFixed(2)}fr`);
-    }
+    const parts = (of: number): readonly string[] => [
+      `${(100 * of).toFixed(2)}fr`,
+      `${(100 * (1 - of)).toFixed(2)}fr`,
+      of.toFixed(4),
+    ];
+    const names = [`--${this.name}`, `--${this.name}-rest`, `--${this.name}-share`];
+    names.forEach((name, i) => {
+      if (share === null) style?.removeProperty(name);
+      else style?.setProperty(name, parts(share)[i] ?? '');
+    });
     if (share !== null) this.ariaValueNow = String(Math.round(100 * share));
   }
 

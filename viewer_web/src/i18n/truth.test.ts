@@ -81,7 +81,9 @@ describe('a sentence claims no more than the step', () => {
       to: Event<'clip_side'>['to'],
     ): string | undefined =>
       saying({ e: 'clip_side', at: 'PL2', side: 2, from, to }, 'clip-order-reversed')[0];
-    expect(side([4, 0], [4, 2])).toBe('Side 2 of 4, the right one: the new list is empty.');
+    expect(side([4, 0], [4, 2])).toBe(
+      'Side 2 of 4, the right one, from (4, 0) to (4, 2): the new list is empty.',
+    );
     expect(side([0, 0], ['0/1', '2/1'])).toMatch(/the left one/u);
     expect(side([4, 0], [0, 0])).toMatch(/the top one/u);
     expect(side([0, 2], [4, 2])).toMatch(/the bottom one/u);

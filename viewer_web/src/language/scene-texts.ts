@@ -38,6 +38,8 @@ export interface SceneTexts {
   readonly order: string;
   readonly colorOf: (id: string) => string;
   readonly nameOf: (id: string) => string;
+  readonly needsName: string;
+  readonly isTaken: (id: string) => string;
   readonly cornersOf: (id: string) => string;
   readonly earlier: (id: string) => string;
   readonly later: (id: string) => string;

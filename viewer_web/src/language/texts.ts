@@ -207,6 +207,7 @@ export interface PageTexts extends FileTexts {
   readonly kernel: string;
   readonly detail: string;
   readonly start: string;
+  readonly unnamed: string;
   readonly nothingOpen: string;
   readonly picture: string;
   readonly savePicture: (kind: string) => string;

@@ -30,8 +30,10 @@ export class ZoomBarElement extends LitElement {
       /* Here the picture fills its width, and the bar hides numbers instead of pixels. */
       @container (max-width: 520px) {
         :host {
-          top: 0.375rem;
-          bottom: auto;
+          inset: 0 0 auto auto;
+        }
+        [aria-disabled='true']:not(:focus) {
+          display: none;
         }
       }
       div {

@@ -107,26 +107,42 @@ export const playerStyle = css`
   }
   /* Listing, scene and state below each other. They scroll if there is too little room. */
   .beside:has(> .scene) {
-    grid-template:
-      'listing' minmax(8.5rem, 1fr) 'scene' minmax(15rem, 1.6fr) 'side' minmax(
-        9rem,
-        var(--side-share, 1fr)
-      )
-      / minmax(0, 1fr);
-    gap: var(--gap);
     height: 0;
     min-height: 100%;
     overflow: auto;
+  }
+  @container (min-width: 704px) {
+    .beside:has(> .scene):has(> .side) {
+      --before: var(--scene-share, 0.38);
+      --after: var(--listing-share, var(--scene-beside, 0.6));
+      display: flex;
+      flex-direction: column;
+    }
+    .beside:has(> .side:is(.solid, .exact, .predict)) {
+      --scene-beside: 0.45;
+    }
+    .beside:has(> .scene):has(> .side) > .listing {
+      flex: var(--before) 0 0;
+      min-height: 8.5rem;
+    }
+    .beside > .listing ~ .scene:has(~ .side) {
+      flex: calc(1 - var(--before)) 0 0;
+      min-height: 15rem;
+    }
+    .beside > .scene ~ .side {
+      flex: calc((1 - var(--before)) * (1 - var(--after)) / var(--after)) 0 0;
+      min-height: 9rem;
+    }
+    .beside:has(> .scene):has(> .side) > vidno-divider {
+      flex: none;
+      height: var(--gap);
+    }
   }
   .beside:has(> .scene):not(:has(> .side)) {
     grid-template:
       'listing' minmax(8.5rem, var(--scene, 1fr))
       'under' var(--gap)
       'scene' minmax(15rem, var(--scene-rest, 2fr)) / minmax(0, 1fr);
-    gap: 0;
-  }
-  .beside:has(> .scene):has(> .side) > vidno-divider {
-    display: none;
   }
   .dock {
     z-index: 1;
@@ -210,16 +226,13 @@ export const playerStyle = css`
     }
     /* The scene takes a part of the listing's column; picture and state stay as they are. */
     :host([layout='workbench']:not([beside])) .beside:has(> .scene) {
+      display: grid;
       grid-template:
         'listing between side' minmax(0, var(--scene, 1fr))
         'under between side' var(--gap)
         'scene between side' minmax(0, var(--scene-rest, 1.3fr)) / minmax(0, var(--listing, 1fr))
         var(--gap) minmax(0, var(--listing-rest, 1fr));
-      gap: 0;
       overflow: visible;
-    }
-    :host([layout='workbench']:not([beside])) .beside > vidno-divider {
-      display: block;
     }
   }
   @container (min-width: 1500px) {

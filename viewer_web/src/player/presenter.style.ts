@@ -64,6 +64,7 @@ export const presenterStyle = css`
     grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
   }
   :host([presenting]) .beside:has(> .scene) {
+    display: grid;
     grid-template: 'listing' minmax(0, 1fr) 'scene' minmax(0, 1.6fr) / minmax(0, 1fr);
     gap: var(--gap);
   }

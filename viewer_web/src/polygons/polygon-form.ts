@@ -53,6 +53,7 @@ export class PolygonFormElement extends FormElement {
           .value=${live(id)}
           maxlength="64"
           aria-label=${say.nameOf(id)}
+          @input=${({ target }: Event) => (target as HTMLInputElement).setCustomValidity('')}
           @change=${(event: Event) => this.rename(event, i)}
         />
         <button
@@ -72,10 +73,17 @@ export class PolygonFormElement extends FormElement {
     </li>`;
   }
 
-  private rename(event: Event, i: number): void {
-    const { value } = event.target as HTMLInputElement;
-    this.edit((old) => sketch.rename(old, i, value.trim()));
-    this.requestUpdate();
+  /** A name that is empty or taken stays in its field, which says so. */
+  private rename({ target }: Event, i: number): void {
+    const field = target as HTMLInputElement;
+    const id = field.value.trim();
+    if (sketch.isFree(this.editing.sketch, i, id)) {
+      this.edit((old) => sketch.rename(old, i, id));
+      this.requestUpdate();
+    } else {
+      field.setCustomValidity(id === '' ? this.say.needsName : this.say.isTaken(id));
+      field.reportValidity();
+    }
   }
 
   private vertices({ id, vertices }: Polygon, polygon: number): TemplateResult {

@@ -138,10 +138,13 @@ export function recolor(sketch: Sketch, polygon: number, color: string): Sketch 
   return withPolygon(sketch, polygon, (old) => ({ ...old, color }));
 }
 
-export function rename(sketch: Sketch, polygon: number, id: string): Sketch {
-  const taken = id === '' || sketch.polygons.some((each, i) => i !== polygon && each.id === id);
-  return taken ? sketch : withPolygon(sketch, polygon, (old) => ({ ...old, id }));
-}
+/** Whether a polygon may have this name. */
+export const isFree = ({ polygons }: Sketch, polygon: number, id: string): boolean =>
+  id !== '' && polygons.every((each, i) => i === polygon || each.id !== id);
+
+/** A name that is not free changes nothing. */
+export const rename = (sketch: Sketch, polygon: number, id: string): Sketch =>
+  isFree(sketch, polygon, id) ? withPolygon(sketch, polygon, (old) => ({ ...old, id })) : sketch;
 
 export function resize(sketch: Sketch, area: Area): Sketch {
   return { ...sketch, area };

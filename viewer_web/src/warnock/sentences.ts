@@ -321,15 +321,15 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     ru: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
   },
   clip_side: {
-    en: (event, { after }) => {
+    en: (event, { after, point }) => {
       const along = sideAlong(event, after.warnock?.window ?? null);
       const which = along === null ? '' : `, the ${along} one`;
-      return `Side ${event.side} of 4${which}: the new list is empty.`;
+      return `Side ${event.side} of 4${which}, from ${point(event.from)} to ${point(event.to)}: the new list is empty.`;
     },
-    ru: (event, { after }) => {
+    ru: (event, { after, point }) => {
       const along = sideAlong(event, after.warnock?.window ?? null);
       const which = along === null ? '' : `, ${sides[along]}`;
-      return `Сторона ${event.side} из 4${which}: новый список пуст.`;
+      return `Сторона ${event.side} из 4${which}, от ${point(event.from)} до ${point(event.to)}: новый список пуст.`;
     },
   },
   clip_sign: {

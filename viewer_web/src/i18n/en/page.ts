@@ -36,6 +36,7 @@ export const page: PageTexts = {
   kernel: 'numbers',
   detail: 'detail',
   start: 'Nothing has happened yet. Press → for the first step.',
+  unnamed: 'Scene without a name',
   nothingOpen: 'Choose a lesson, or open a scene or a trace of your own.',
   picture: 'Picture',
   savePicture: (kind) => `Save the picture as ${kind}`,

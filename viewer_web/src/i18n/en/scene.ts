@@ -42,6 +42,8 @@ export const scene: SceneTexts = {
   order: 'Where depths are equal, the first wins',
   colorOf: (id) => `colour of ${id}`,
   nameOf: (id) => `name of ${id}`,
+  needsName: 'A polygon must have a name.',
+  isTaken: (id) => `Another polygon is named ${id}.`,
   cornersOf: (id) => `corners of ${id}`,
   earlier: (id) => `${id} earlier`,
   later: (id) => `${id} later`,

@@ -37,6 +37,7 @@ export const page: PageTexts = {
   kernel: 'числа',
   detail: 'подробность',
   start: 'Ещё ничего не произошло. Первый шаг — клавиша →.',
+  unnamed: 'Сцена без имени',
   nothingOpen: 'Выберите урок или откройте свою сцену или трассу.',
   picture: 'Изображение',
   savePicture: (kind) => `Сохранить изображение: ${kind}`,

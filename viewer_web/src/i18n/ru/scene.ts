@@ -45,6 +45,8 @@ export const scene: SceneTexts = {
   order: 'При равных глубинах виден первый',
   colorOf: (id) => `цвет ${id}`,
   nameOf: (id) => `имя ${id}`,
+  needsName: 'У многоугольника должно быть имя.',
+  isTaken: (id) => `Имя ${id} уже у другого многоугольника.`,
   cornersOf: (id) => `вершины ${id}`,
   earlier: (id) => `${id} раньше`,
   later: (id) => `${id} позже`,

@@ -159,7 +159,7 @@ export const warnockFacts: Facts<WindowEvent> = {
     }),
   clip_begin: ({ polygon }) => of(polygon),
   clip_side: ({ side, from, to }, { after }) =>
-    both(only(side, 4), { says: [sideOf(from, to, after.warnock?.window)] }),
+    both(only(side, 4, ...from, ...to), { says: [sideOf(from, to, after.warnock?.window)] }),
   clip_sign: ({ vertex, sign }) => ({
     ...xy({ vertex }),
     says: answered(
