@@ -11,7 +11,7 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. The one with the fewest wrong pixels, ${share}, is ${leastWrong}.`,
+        `Cheaper runs: ${count}, all of them wrong. ${leastWrong} comes closest: it is wrong in ${share} of the pixels.`,
       safe: 'It decides as exact arithmetic does, so it is right in every scene.',
       safer: (run, times) =>
         `This run rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run}, at ${times} the cost.`,
@@ -30,7 +30,7 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `“${run}” is the cheapest of those that draw every column right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. The one with the fewest wrong columns, ${share}, is “${leastWrong}”.`,
+        `Cheaper runs: ${count}, all of them wrong. “${leastWrong}” comes closest: it is wrong in ${share} of the columns.`,
       safe: 'It decides as exact arithmetic does, on every surface.',
       safer: (run, times) =>
         `This run rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}”, at ${times} the cost.`,
