@@ -109,8 +109,8 @@ describe('a corner', () => {
 
   it('is typed', async () => {
     const { page } = await editing(browser);
-    await page.getByRole('button', { name: 'corners of A' }).click();
-    const x = page.getByRole('spinbutton', { name: 'x of corner 2' });
+    await page.getByRole('button', { name: 'vertices of A' }).click();
+    const x = page.getByRole('spinbutton', { name: 'x of vertex 2' });
     const typed = await rerun(page, async () => {
       await x.fill('5.125');
       await x.press('Enter');

@@ -64,7 +64,7 @@ describe('Back', () => {
     const { page, faults } = await editing(browser);
     await settled(page);
     await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of corner 1').first();
+    const x = page.getByLabel('x of vertex 1').first();
     const changed = await rerun(page, async () => {
       await x.fill('2');
       await x.press('Enter');
@@ -104,7 +104,7 @@ describe('an edited scene', () => {
   it('is not lost by a reload without a question', async () => {
     const { page } = await editing(browser);
     await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of corner 1').first();
+    const x = page.getByLabel('x of vertex 1').first();
     const changed = await rerun(page, async () => {
       await x.fill('2');
       await x.press('Enter');

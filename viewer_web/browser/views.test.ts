@@ -332,8 +332,8 @@ describe('a divider', () => {
       await page.locator(`vidno-divider.${divider}`).focus();
       await page.keyboard.press('ArrowDown');
       await page.keyboard.press('ArrowDown');
-      await expect.poll(() => height(before), divider).toBeGreaterThan(one + 4);
-      await expect.poll(() => height(after), divider).toBeLessThan(other - 4);
+      await expect.poll(() => height(before), { message: divider }).toBeGreaterThan(one + 4);
+      await expect.poll(() => height(after), { message: divider }).toBeLessThan(other - 4);
     }
   });
 

@@ -46,7 +46,7 @@ export const compare: CompareTexts = {
   unpainted: 'painted only there',
   mark: 'Mark them',
   edit: 'Edit the scene',
-  editHint: 'Corners can be dragged in the first picture',
+  editHint: 'Vertices can be dragged in the first picture',
   counters: 'Counters',
   soFar: 'so far',
   inAll: 'in all',

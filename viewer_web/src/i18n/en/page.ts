@@ -116,7 +116,7 @@ export const page: PageTexts = {
     edit: 'edit the scene, and back',
     draw: 'draw a polygon',
     undo: 'undo, redo a change of the scene',
-    corner: 'on a corner: move it, change its depth, add, remove',
+    corner: 'on a vertex: move it, change its depth, add, remove',
     present: 'present: large type, nothing else',
     remote: 'there, or on a remote control: forward, back, dark screen, leave',
     compare: 'compare with another run, and end the comparison',
