@@ -10,7 +10,7 @@ namespace vidno {
 
 /// For the middle of a sentence, in the order of Decision.
 inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
-    {"how two numbers compare", "какое из двух чисел больше"},
+    {"the result of a comparison of two numbers", "итог сравнения двух чисел"},
     {"on which side of the line the point lies", "по какую сторону прямой лежит точка"},
     {"whether the depth is nearer", "ближе ли глубина"},
     {"whether the box lies outside the window", "лежит ли габаритный прямоугольник вне окна"},

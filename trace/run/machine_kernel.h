@@ -23,6 +23,7 @@ public:
     MachineNumber() = default;
     MachineNumber(std::integral auto constant) : value_(double(constant)) {}
     MachineNumber(double constant) : value_(constant) {}
+
     static bool is_binary32() { return arithmetic.kind == Arithmetic::Kind::binary32; }
     static MachineNumber rounded(double given) { return {arithmetic.rounded(given), false}; }
     /// A result in binary32.

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
 import { editing, rerun, run, title } from './live.js';
-import { goTo, open, openContents, opened, openFile, shown, small } from './page.js';
+import { goTo, open, openContents, opened, openFile, sampleTrace, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
@@ -57,6 +57,24 @@ describe('Back', () => {
     }
     await page.goForward();
     await expect.poll(() => step(page)).toBe(300);
+    expect(faults).toEqual([]);
+  });
+
+  it('returns to a file of the reader’s own from a lesson', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
+    await opened(page, 'small.jsonl', sampleTrace('small.zbuffer.signs'));
+    await goTo(page, 40);
+    await page.locator(title).click();
+    await settled(page);
+    await openContents(page);
+    await page.locator('[data-trace="small.warnock.signs"]').first().click();
+    await expect.poll(async () => (await standing(page))[0]).toBe('warnock');
+    await settled(page);
+    await page.goBack();
+    await expect.poll(async () => (await standing(page)).slice(0, 2)).toEqual(['zbuffer', 40]);
+    await settled(page);
+    await page.goForward();
+    await expect.poll(async () => (await standing(page))[0]).toBe('warnock');
     expect(faults).toEqual([]);
   });
 

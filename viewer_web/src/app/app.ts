@@ -42,6 +42,7 @@ import type { Told } from './beside.js';
 import { Breaking } from './breaking.js';
 import { heading, invitation, notices } from './heading.js';
 import { Navigation } from './navigation.js';
+import type { PlaceInFile } from './navigation.js';
 import './page-header.js';
 import type { Asked } from './page-header.js';
 import { Reading } from './reading.js';
@@ -245,6 +246,11 @@ export class AppElement extends LitElement implements Shown, Told {
     this.ways.leave();
     this.reading.close();
     void this.session.openFile(file);
+  }
+
+  reopen(file: File, place: PlaceInFile): void {
+    this.reading.close();
+    void this.session.openFile(file, { ...place, bookmarks: [] });
   }
 
   private turnText(): void {

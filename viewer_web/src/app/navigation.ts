@@ -7,17 +7,23 @@ import type { Shared } from './sharing.js';
 import type { Pixel } from '../picture/pixel.js';
 import { Trail, isJump } from './trail.js';
 
-/** A place in a file of the reader's own. An address cannot name the file, so the browser's history keeps its number. */
-interface FilePlace {
-  readonly file: number;
+/** A place in a trace of the reader's own. */
+export interface PlaceInFile {
   readonly step: number;
   readonly pixel: Pixel | null;
+}
+
+/** An address cannot name the file, so the browser's history keeps its number. */
+interface KeptPlace extends PlaceInFile {
+  readonly file: number;
 }
 
 /** The parts of the page that navigation needs. */
 export interface Travelled extends Shared, ReactiveControllerHost {
   readonly discard: DiscardElement;
   followAddress(): void;
+  /** Opens a file that was opened before. */
+  reopen(file: File, place: PlaceInFile): void;
 }
 
 /** Navigation away from what is shown. Each move can be undone, and none discards edits without asking. */
@@ -26,8 +32,8 @@ export class Navigation implements ReactiveController {
     () => addressOf(this.host),
     () => this.place(),
   );
-  private readonly files = new WeakMap<Blob, number>();
-  private opened = 0;
+  /** The files opened so far, by their numbers. */
+  private readonly files: File[] = [];
 
   constructor(private readonly host: Travelled) {
     host.addController(this);
@@ -69,19 +75,26 @@ export class Navigation implements ReactiveController {
     session.move({ step });
   }
 
-  private place(): FilePlace | null {
+  private place(): KeptPlace | null {
     const { file, place } = this.host.session;
     if (file === null) return null;
-    const known = this.files.get(file) ?? ++this.opened;
-    this.files.set(file, known);
-    return { file: known, step: place.step, pixel: place.pixel };
+    if (!this.files.includes(file)) this.files.push(file);
+    return { file: this.files.indexOf(file), step: place.step, pixel: place.pixel };
   }
 
-  /** *Back* or *Forward* between two places of the same file. */
+  /** The file of the current entry of the browser's history; null if it has none, or one from before a reload. */
+  private get fileNow(): File | null {
+    const kept = history.state as KeptPlace | null;
+    return this.files[kept?.file ?? -1] ?? null;
+  }
+
+  /** *Back* or *Forward* to a place in a file. */
   private readonly onPlace = ({ state }: PopStateEvent): void => {
-    const kept = state as FilePlace | null;
-    if (kept === null || kept.file !== this.place()?.file) return;
-    this.host.session.move({ step: kept.step, pixel: kept.pixel });
+    const { fileNow: file, host } = this;
+    if (file === null) return;
+    const { step, pixel } = state as KeptPlace;
+    if (file === host.session.file) host.session.move({ step, pixel });
+    else void this.visit(() => host.reopen(file, { step, pixel }));
   };
 
   /** The page is reloaded, closed or left: the browser asks whether to discard the edits. */
@@ -90,14 +103,17 @@ export class Navigation implements ReactiveController {
   };
 
   /** The address was changed by a link, by *Back* or by hand. */
-  private readonly onAddress = (): void => void this.visit();
+  private readonly onAddress = (): void => {
+    if (this.fileNow === null) void this.visit(() => this.host.followAddress());
+  };
 
-  private async visit(): Promise<void> {
+  /** Shows what the address or the browser's history names, unless the reader wants to keep an edited scene. */
+  private async visit(show: () => void): Promise<void> {
     const { host } = this;
     const wanted = parseAddress(location.hash).live;
     const now = await host.session.live.carried();
     const isSame = wanted !== null && wanted.scene === now?.scene;
-    if (isSame || (await this.mayLeave())) host.followAddress();
+    if (isSame || (await this.mayLeave())) show();
     else this.trail.restore(await addressOf(host));
   }
 

@@ -65,7 +65,7 @@ export class Session implements ReactiveController {
   lesson: string | null = null;
   place = beginning;
   /** The reader's own file, if one is open. */
-  file: Blob | null = null;
+  file: File | null = null;
   notice: Notice | null = null;
   /** The failure whose scene is open. */
   failure: OpenFailure | null = null;
@@ -180,9 +180,10 @@ export class Session implements ReactiveController {
     else this.openScene(text, name, { check: false, ...run }, place);
   }
 
-  async openFile(file: File): Promise<void> {
+  /** A trace opens at the place. */
+  async openFile(file: File, place = beginning): Promise<void> {
     const kind = await kindOfFile(file);
-    if (kind === 'trace') this.open(file, file.name, null, beginning);
+    if (kind === 'trace') this.open(file, file.name, null, place);
     else if (kind === 'chart') this.say({ kind, name: file.name });
     else if (kind === 'failure') await this.openFailure(await textOf(file), file.name);
     else this.openOwn(await textOf(file), file.name);
@@ -350,7 +351,7 @@ export class Session implements ReactiveController {
         const { length } = trace.timeline;
         if (this.trace === trace) this.steps = length;
         else if (trace.complete || length >= place.step) {
-          this.file = lesson === null ? file : null;
+          this.file = lesson === null && file instanceof File ? file : null;
           this.failure = null;
           if (lesson === null) this.checks?.doubt(trace);
           this.show(trace, name, lesson, place);

@@ -17,7 +17,7 @@ import { outlineOf } from './outline.js';
 import type { Outline } from './outline.js';
 import { outlineStyle } from './outline.style.js';
 import { facetsOf, proceduresOf, sayTerm, termsOf, without, written } from './query.js';
-import type { Term } from './query.js';
+import type { Facet, Term } from './query.js';
 import { sayNode } from './say.js';
 import { Search } from './search.js';
 import { none } from './table.js';
@@ -302,23 +302,25 @@ export class OutlineElement extends LitElement {
 
   /** Suggestions for the search field. */
   private offered(): readonly string[] {
-    const { header } = this.view;
-    return facetsOf(header).flatMap((facet) => {
-      if (facet === 'case') return cases.map((name) => written(facet, name));
-      if (facet === 'procedure')
-        return proceduresOf(header.method).map((name) => written(facet, name));
+    const { header, language } = this.view;
+    const named = (facet: Facet): readonly string[] => {
+      if (facet === 'case') return cases.map((name) => texts[language].strip.cases[name]);
+      if (facet === 'procedure') return proceduresOf(header.method);
       if (facet !== 'polygon') return [];
-      return header.scene.polygons.slice(0, mostOffered).map(({ id }) => written(facet, id));
-    });
+      return header.scene.polygons.slice(0, mostOffered).map(({ id }) => id);
+    };
+    return facetsOf(header).flatMap((facet) =>
+      named(facet).map((name) => written(facet, name, language)),
+    );
   }
 
   private examples(): string {
-    const { header } = this.view;
+    const { header, language } = this.view;
+    const { facets } = texts[language].outline;
     const offered = this.offered();
-    const examples = facetsOf(header).flatMap((facet) => {
-      const found = offered.filter((term) => term.startsWith(`${facet}:`));
-      return found.length === 0 ? [] : (found.at(-1) ?? []);
-    });
+    const examples = facetsOf(header).flatMap(
+      (facet) => offered.filter((term) => term.startsWith(`${facets[facet]}:`)).at(-1) ?? [],
+    );
     return examples.join(' ');
   }
 

@@ -60,9 +60,10 @@ export function termsOf(query: string, header: Header): readonly Term[] {
 export const without = (terms: readonly Term[], gone: Term): string =>
   terms.flatMap((term) => (term === gone ? [] : term.word)).join(' ');
 
-/** A term with a single meaning, as text. */
-export function written(facet: Facet, name: string): string {
-  return `${facet}:${/[\s"]/u.test(name) ? `"${name}"` : name}`;
+/** A term with a single meaning, as text. A name is quoted if it has spaces; quotes in it are left out. */
+export function written(facet: Facet, name: string, language: Language): string {
+  const bare = name.replaceAll('"', '');
+  return `${texts[language].outline.facets[facet]}:${/\s/u.test(bare) ? `"${bare}"` : bare}`;
 }
 
 const isSame = (one: string, other: string): boolean => one.toLowerCase() === other.toLowerCase();
@@ -109,9 +110,9 @@ function numbersOf(
   { scene }: Header,
 ): ReadonlySet<number> {
   if (facet === 'polygon') {
-    const exact = scene.polygons.flatMap(({ id }, i) => (isSame(id, text) ? i : []));
-    const like = (): readonly number[] =>
-      scene.polygons.flatMap(({ id }, i) => (begins(id, text) ? i : []));
+    const names = scene.polygons.map(({ id }) => id.replaceAll('"', ''));
+    const exact = names.flatMap((name, i) => (isSame(name, text) ? i : []));
+    const like = (): readonly number[] => names.flatMap((name, i) => (begins(name, text) ? i : []));
     return new Set(exact.length > 0 ? exact : like());
   }
   if (facet === 'case') {

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { languages } from '../language/language.js';
 import { textOf, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { Outline } from './outline.js';
-import { sayTerm, termsOf, without } from './query.js';
+import { sayTerm, termsOf, without, written } from './query.js';
 import { Search } from './search.js';
 
 const eventsIn = (name: string): readonly Event[] =>
@@ -38,6 +39,21 @@ const warnock = 'small.warnock.signs';
 const zbuffer = 'small.zbuffer.signs';
 
 describe('a search', () => {
+  it.each(['B', 'far wall', 'the "B"'])(
+    'understands its own suggestion for a polygon named %s',
+    async (id) => {
+      const { header } = await traceOf(textOf(`${warnock}.jsonl`));
+      const [polygon] = header.scene.polygons;
+      if (polygon === undefined) throw new Error('a polygon');
+      const named = { ...header, scene: { ...header.scene, polygons: [{ ...polygon, id }] } };
+      for (const language of languages) {
+        const [term, ...others] = termsOf(written('polygon', id, language), named);
+        expect(term?.meanings).toEqual([{ facet: 'polygon', values: new Set([0]) }]);
+        expect(others).toEqual([]);
+      }
+    },
+  );
+
   it('finds the windows of a case', async () => {
     const split = stretches(warnock, 'pop').filter(([, events]) =>
       events.some((event) => event.e === 'decide' && event.case === 'split'),

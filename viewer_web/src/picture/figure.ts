@@ -1,5 +1,6 @@
 import type { View } from '../algorithm/view.js';
 import { element, escaped } from '../base/xml.js';
+import { nameIn } from '../language/scene-name.js';
 import { sceneDrawing, stepDrawing } from './drawing.js';
 import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';
@@ -77,7 +78,11 @@ export function figureDocument(view: View, frame: Frame, drawing: string, names 
   const height = Math.round(whole[3] * scale);
   const place = `scale(${scale}) translate(${-whole[0]} ${-whole[1]})`;
 
-  const title = [scene.name, texts.methods[header.method], `${texts.step} ${step}`];
+  const title = [
+    nameIn(view.language, scene.name),
+    texts.methods[header.method],
+    `${texts.step} ${step}`,
+  ];
   const content = [
     element('title', [], escaped(title.filter(Boolean).join(' · '))),
     element('desc', [], escaped(view.sentence)),

@@ -6,6 +6,7 @@ import { element, escaped } from '../base/xml.js';
 import { texts } from '../i18n/index.js';
 import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
+import { nameIn } from '../language/scene-name.js';
 import type { Trace } from '../replay/trace.js';
 import { clozeOf, inert } from './cloze.js';
 import { factsOf } from './facts.js';
@@ -63,7 +64,13 @@ function questionXml(trace: Trace, question: Question, language: Language): stri
 function category({ header }: Trace, language: Language): string {
   const { scene, method, kernel, edition } = header;
   const { methods, editions } = texts[language].page;
-  const run = ['vidno', scene.name, methods[method], kernel, editionName(editions, edition)];
+  const run = [
+    'vidno',
+    nameIn(language, scene.name),
+    methods[method],
+    kernel,
+    editionName(editions, edition),
+  ];
   const name = run.filter(Boolean).join(' · ').replaceAll('/', '//');
   const path = element('category', [], text(`$course$/top/${name}`));
   return element('question', [['type', 'category']], path);

@@ -23,6 +23,9 @@ export class ZBufferPanel extends LitElement {
       .values .wide {
         grid-column: var(--hall-wide, 1 / -1);
       }
+      .values .wide dt {
+        white-space: normal;
+      }
     `,
   ];
 
