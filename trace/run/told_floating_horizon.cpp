@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "run/floating_horizon_lines.h"
+#include "run/machine_kernel.h"
 #include "run/recorded_floating_horizon.h"
 #include "run/recorder.h"
 #include "run/run_time_kernel.h"
@@ -12,7 +13,9 @@ namespace {
 
 // The true height along the path that was taken; none if it is undefined, or the run is not judged.
 std::optional<Rational> truth_of(const RunTimeNumber& height) { return height.truth(); }
+std::optional<Rational> truth_of(float) { return std::nullopt; }
 std::optional<Rational> truth_of(double) { return std::nullopt; }
+std::optional<Rational> truth_of(const MachineNumber&) { return std::nullopt; }
 std::optional<Rational> truth_of(const auto& height) { return height.exactly(); }
 
 /// A height in use, and the true one.
@@ -160,7 +163,9 @@ DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Fo
         kind == KernelKind::filtered ? std::numeric_limits<double>::digits : Arithmetic::of(request.kernel).digits();
     Judging judging{followers.judge, followers.survey, digits};
     if (kind == KernelKind::filtered) return told(request, FilteredBy(StageTally{followers.count}), judging);
-    if (kind == KernelKind::binary64 && !followers.judge) return told(request, Double{}, judging);
+    if (!followers.judge && kind == KernelKind::binary32) return told(request, Float{}, judging);
+    if (!followers.judge && kind == KernelKind::binary64) return told(request, Double{}, judging);
+    if (!followers.judge && kind == KernelKind::bits) return told(request, MachineKernel(request.kernel), judging);
     const Judge judge_comparison = [&](const Verdict& verdict) {
         if (!judging.in_visibility) (*followers.judge)(verdict);
     };
