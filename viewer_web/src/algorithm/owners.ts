@@ -9,9 +9,13 @@ export interface Owners {
   readonly background: boolean;
 }
 
-const unknown: Owners = { polygons: [], background: false };
+export const ownedBy = (...polygons: readonly string[]): Owners => ({
+  polygons,
+  background: false,
+});
+export const nobody = ownedBy();
 
-/** Whom the painting steps of a trace show. */
+/** The owners of the colours that the steps of a trace painted, by these steps. */
 const shown = new WeakMap<Trace, Map<number, Owners>>();
 
 /** The owners of a pixel of the trace's current screen; null if it is not painted. */
@@ -31,9 +35,9 @@ export function ownersAt(
 
 function shownBy({ header, timeline }: Trace, step: number): Owners {
   const event = timeline.event(step);
-  if (event === null) return unknown;
+  if (event === null) return nobody;
   const now = timeline.step;
   const { values } = timeline.seek(step);
   timeline.seek(now);
-  return algorithmOf(header).owners?.(event, values, header) ?? unknown;
+  return algorithmOf(header).owners?.(event, values, header) ?? nobody;
 }

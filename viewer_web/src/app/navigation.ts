@@ -2,16 +2,13 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { parseAddress } from '../reader/address.js';
 import type { DiscardElement } from '../editor/discard.js';
 import type { TimedElement } from '../player/timed.js';
+import type { Place } from './session.js';
 import { addressNow, addressOf } from './sharing.js';
 import type { Shared } from './sharing.js';
-import type { Pixel } from '../picture/pixel.js';
 import { Trail, isJump } from './trail.js';
 
 /** A place in a trace of the reader's own. */
-export interface PlaceInFile {
-  readonly step: number;
-  readonly pixel: Pixel | null;
-}
+export type PlaceInFile = Pick<Place, 'step' | 'pixel'>;
 
 /** An address cannot name the file, so the browser's history keeps its number. */
 interface KeptPlace extends PlaceInFile {

@@ -93,8 +93,8 @@ export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
 }
 
 /**
- * Whether an answer to "is z nearer than the other depth?" agrees with the depths as written. It need not: some kernels compare more
- * than they write, and a trace may be wrong.
+ * Whether an answer to "is z nearer than the other depth?" agrees with the depths as written. It need not: some kernels
+ * compare more than they write, and a trace may be wrong.
  */
 export const agrees = (nearer: boolean, z: N, other: N): boolean =>
   nearer === (orderOf(z, other) === 1);

@@ -1,3 +1,4 @@
+import { nobody } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { isPainted, toColor } from '../replay/grid.js';
 import type { Screen } from '../replay/screen.js';
@@ -15,8 +16,6 @@ export interface PixelFacts {
   readonly isStored: boolean;
 }
 
-const nobody: Owners = { polygons: [], background: false };
-
 /** The owners are those of the pixel; null if it is not painted. */
 export function factsAt(
   { picture, z, scene }: Screen,
@@ -26,13 +25,13 @@ export function factsAt(
   const [i, j] = [x - scene.area.x, y - scene.area.y];
   const pixel = picture.at(i, j);
   const stored = z?.at(i, j) ?? null;
-  const { polygons, background } = owners ?? nobody;
-  const [id, ...others] = background ? [] : polygons;
+  const known = owners ?? nobody;
+  const [id, ...others] = known.background ? [] : known.polygons;
   const owner = id === undefined || others.length > 0 ? undefined : scene.byId.get(id);
   const computed = owner === undefined ? NaN : planeOf(owner)(x + 0.5, y + 0.5);
   return {
     color: isPainted(pixel) ? toColor(pixel) : null,
-    owners: { polygons, background },
+    owners: known,
     depth: stored ?? (Number.isFinite(computed) ? computed : null),
     isStored: stored !== null,
   };

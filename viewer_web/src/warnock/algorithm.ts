@@ -1,5 +1,6 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
 import type { Algorithm } from '../algorithm/algorithm.js';
+import { nobody, ownedBy } from '../algorithm/owners.js';
 import { cornerThing, windowThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import { cells } from '../language/words.js';
@@ -81,10 +82,10 @@ defineAlgorithm(methods.filter(hasWindows), {
   goals,
   watch: (pixel, { detail }) => new WarnockWatch(pixel, detail),
   heading: ({ warnock }) => warnock?.window ?? null,
-  owners: (event, known, header) =>
-    event.e === 'fill'
-      ? ownersOf(event, known, header)
-      : { polygons: event.e === 'draw' ? [event.polygon] : [], background: false },
+  owners(event, known, header) {
+    if (event.e === 'fill') return ownersOf(event, known, header);
+    return event.e === 'draw' ? ownedBy(event.polygon) : nobody;
+  },
   why,
   entry: ({ event, outcome }, { missed }) =>
     outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,

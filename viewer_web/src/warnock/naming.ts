@@ -1,3 +1,4 @@
+import { ownedBy } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { toNumber } from '../language/words.js';
 import type { Known, Words } from '../language/words.js';
@@ -85,7 +86,7 @@ export function ownersOf(
   const isPoint = fillsPoint.includes(at);
   const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
   if (told !== null && scene.byId.get(told)?.color === color) {
-    return { polygons: [told], background: false };
+    return ownedBy(told);
   }
   const isBackground = color === scene.background;
   if (isPoint && told === null && isBackground && detail !== 'windows') return background;

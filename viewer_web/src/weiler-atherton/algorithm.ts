@@ -1,4 +1,5 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
+import { nobody, ownedBy } from '../algorithm/owners.js';
 import { cells } from '../language/words.js';
 import { polygonInHand } from '../picture/in-hand.js';
 import { activeDrawing } from '../solid/drawing.js';
@@ -45,10 +46,7 @@ defineAlgorithm(['weiler-atherton'], {
     if (event.e === 'paint' || event.e === 'order') return event.polygon;
     return weilerAtherton?.inHand?.pieces[0]?.[0] ?? null;
   },
-  owners: (event) => ({
-    polygons: event.e === 'paint' ? [event.polygon] : [],
-    background: false,
-  }),
+  owners: (event) => (event.e === 'paint' ? ownedBy(event.polygon) : nobody),
   why: ({ event }) =>
     event.e === 'paint'
       ? { why: 'region', polygon: event.polygon }

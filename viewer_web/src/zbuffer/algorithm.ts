@@ -1,4 +1,5 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
+import { nobody, ownedBy } from '../algorithm/owners.js';
 import { edgeThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import type { Entry } from '../history/entry.js';
@@ -55,10 +56,7 @@ defineAlgorithm(['zbuffer'], {
   goals,
   watch: (pixel) => new ZBufferWatch(pixel),
   heading: ({ zbuffer }) => zbuffer?.polygon ?? null,
-  owners: (_event, { zbuffer }) => ({
-    polygons: [zbuffer?.polygon ?? []].flat(),
-    background: false,
-  }),
+  owners: (_event, { zbuffer }) => (zbuffer?.polygon == null ? nobody : ownedBy(zbuffer.polygon)),
   why,
   entry: ({ event, known, outcome }, { kept }) =>
     outcome === 'fail' && event.e === 'span' ? kept(known.zbuffer?.polygon ?? '') : null,
