@@ -55,21 +55,12 @@ std::size_t number_of(const std::vector<Way>& ways, std::optional<Knob> knob, Me
                                      [&](const Way& way) { return way.knob == knob && way.method == method; }));
 }
 
-/// The kernels without a parameter that run the method in this edition.
-std::size_t plain_kernels(Method method, Edition edition) {
-    return std::size_t(std::count_if(kernel_choices.begin(), kernel_choices.end(), [&](const KernelChoice& choice) {
-        return !choice.parameter && choice.runs(method, edition);
-    }));
-}
-
 }  // namespace
 
 TEST_CASE("Chart: each kernel in each edition that it runs, and each knob at each place") {
     const auto ways = ways_to_draw(whole_quad());
     for (const Method method : {Method::warnock, Method::zbuffer}) {
-        CHECK_MESSAGE(number_of(ways, std::nullopt, method) ==
-                          plain_kernels(method, Edition::corrected) + plain_kernels(method, Edition::printed),
-                      "filtered has no printed edition");
+        CHECK_MESSAGE(number_of(ways, std::nullopt, method) == 4 + 3, "filtered has no printed edition");
         CHECK_MESSAGE(number_of(ways, Knob::bits, method) == 21, "4 to 24");
         // The scene and the square over the area are 18 wide: 18 * 2^19 + 1 < 2^24 <= 18 * 2^20.
         CHECK_MESSAGE(number_of(ways, Knob::grid, method) == 19, "1 to 19");
@@ -84,13 +75,11 @@ TEST_CASE("Chart: other methods that take the scene, under each kernel") {
     const auto ways = ways_to_draw(whole_quad());
     for (const Method method : {Method::warnock_simplest, Method::warnock_full, Method::warnock_angles,
                                 Method::warnock_vertex, Method::warnock_edges}) {
-        CHECK_MESSAGE(number_of(ways, std::nullopt, method) == plain_kernels(method, Edition::corrected) + 2,
-                      "also bits:12 and grid:8");
+        CHECK_MESSAGE(number_of(ways, std::nullopt, method) == 6, "float, double, bits:12, filtered, grid:8, exact");
     }
     CHECK_MESSAGE(number_of(ways, std::nullopt, Method::warnock_bodies) == 0, "a quad is no body");
-    CHECK_MESSAGE(number_of(ways, std::nullopt, Method::weiler_atherton) ==
-                      plain_kernels(Method::weiler_atherton, Edition::corrected) + 1,
-                  "also bits:12");
+    CHECK_MESSAGE(number_of(ways, std::nullopt, Method::weiler_atherton) == 5,
+                  "float, double, bits:12, filtered, exact");
 }
 
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {

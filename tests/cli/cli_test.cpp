@@ -714,6 +714,16 @@ TEST_CASE("page: the built page with the given content instead of its lessons") 
         CHECK(made.find(R"("file":"2.jsonl.gz",)" + index + "exact") != std::string::npos);
         CHECK(made.find(R"(data-vidno-file="1.json">)" + base64_of(work.read("surface.json"))) != std::string::npos);
     }
+    SUBCASE("a trace of Weiler and Atherton's algorithm") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string regions = work.file("regions.jsonl.gz");
+        REQUIRE(program("trace " + scene + " --method weiler-atherton -o " + regions).status == 0);
+        REQUIRE(page(regions + output).status == 0);
+        const std::string made = work.read("out.html");
+        CHECK(made.find(R"("file":"1.jsonl.gz","method":"weiler-atherton","kernel":"double")") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="1.jsonl.gz">)" + base64_of(work.read("regions.jsonl.gz"))) !=
+              std::string::npos);
+    }
     SUBCASE("nothing given: the page with its lessons") {
         work.write("share/vidno/index.html", before + lessons + library + after);
         REQUIRE(page(output).status == 0);

@@ -215,6 +215,10 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
 
 TEST_CASE("a camera is complete and sees something") {
     check_refused({
+        {scene_with_camera("{}"),
+         "/camera: \"eye\" is missing\nf.json: /camera: \"target\" is missing\nf.json: /camera: \"projection\" is "
+         "missing\nf.json: /camera: \"fov\" is missing\nf.json: /camera: \"near\" is missing\nf.json: /camera: "
+         "\"far\" is missing"},
         {scene_with_camera(R"({"target": [0, 0, 0], "projection": "perspective", "fov": 45, "near": 1, "far": 9})"),
          "/camera: \"eye\" is missing"},
         {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "fish-eye", "fov": 45, "near": 1,
