@@ -40,12 +40,14 @@ describe('the axes', () => {
 describe('the series', () => {
   it('are of a kernel and a knob, a colour and a size for each kernel', () => {
     const runs = curveKernels.map((kernel) => curveRunOf({ kernel, knob: 'samples', value: 3 }));
-    expect(runs.map(seriesId)).toEqual(curveKernels.map((kernel) => `${kernel}-samples`));
-    expect(curveKernels).toEqual(
-      expect.arrayContaining(['float', 'double', 'filtered', 'exact']) as unknown,
-    );
+    expect(runs.map(seriesId)).toEqual([
+      'float-samples',
+      'double-samples',
+      'filtered-samples',
+      'exact-samples',
+    ]);
     const looks = runs.map(look);
-    expect(new Set(looks.map(({ color }) => color)).size).toBe(runs.length);
+    expect(new Set(looks.map(({ color }) => color)).size).toBe(4);
     const scales = looks.map(({ scale }) => scale);
     // The symbols overlap: the largest is drawn first.
     expect(scales).toEqual([...new Set(scales)].sort((a, b) => b - a));

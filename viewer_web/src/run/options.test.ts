@@ -9,14 +9,16 @@ const missing = (given: Partial<Options>): readonly string[] =>
   kernels.filter((kernel) => !runs({ ...usual, ...given, kernel }));
 
 it('leaves out, for the printed text, kernels without a Z-buffer and those that are always right', () => {
-  expect(kernels).toEqual(
-    expect.arrayContaining(['float', 'bits:12', 'depth:8', 'grid:4', 'exact']),
-  );
+  expect(kernels).toHaveLength(10);
   expect(missing({ method: 'zbuffer' })).toEqual([]);
   expect(missing({ method: 'warnock' })).toEqual(['depth:8', 'depth:16']);
-  expect(missing({ method: 'warnock', edition: 'printed' })).toEqual(
-    expect.arrayContaining(['depth:8', 'depth:16', 'filtered', 'grid:4', 'grid:8']),
-  );
+  expect(missing({ method: 'warnock', edition: 'printed' })).toEqual([
+    'depth:8',
+    'depth:16',
+    'filtered',
+    'grid:4',
+    'grid:8',
+  ]);
 });
 
 it('runs a usual mistake in the methods that can make it, in double and exact numbers', () => {
