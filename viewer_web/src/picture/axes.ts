@@ -9,7 +9,7 @@ import { ticksIn } from './ticks.js';
 
 /** CSS pixels: the distance of numbers from the area, their distance from the edge of the box, and the width of a digit. */
 const off = 5;
-const edge = 3;
+const edge = 1;
 const letter = 6.5;
 /** The least distance between numbers, in CSS pixels. */
 const apart = { x: 30, y: 17 };
@@ -95,7 +95,7 @@ export class AxesElement extends LitElement {
   private column(n: number, x: number): SVGTemplateResult {
     const { area, shown, scale, size } = this.frame;
     const top = (area.y - shown[1]) * scale - off;
-    const y = Math.min(Math.max(top, edge + 10), size.height - edge);
+    const y = Math.min(Math.max(top, edge + 12), size.height - 3);
     return svg`<text class="column ${this.kind(0, n)}" x=${x} y=${y}>${whole(n)}</text>`;
   }
 

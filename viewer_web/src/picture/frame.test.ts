@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Frame } from './frame.js';
+import { Frame, marginIn } from './frame.js';
 import type { Zoom } from './frame.js';
 
 const area = { x: 0, y: 0, width: 100, height: 50 };
@@ -111,5 +111,14 @@ describe('a scene that reaches farther than the area', () => {
 
   it('has nothing more to show if it ends within the margin', () => {
     expect(new Frame(square, box, null, [-1, 0, 17, 16]).hasMore).toBe(false);
+  });
+});
+
+describe('the margin', () => {
+  it('is smaller in a small box whose rows need at most two digits', () => {
+    const small = { width: 346, height: 600 };
+    expect(marginIn(small, { ...area, height: 100 })).toBe(0.05);
+    expect(marginIn(small, { ...area, height: 101 })).toBe(0.07);
+    expect(marginIn({ width: 500, height: 500 }, area)).toBe(0.07);
   });
 });

@@ -26,8 +26,14 @@ const large = 64;
 const most = 40;
 /** The least distance between lines, in CSS pixels. */
 const apart = 5;
-/** The margin around the area as a share of its longer side, usually and in a small box. */
-export const margins = { usual: 0.07, small: 0.05 };
+/** The margin around the area as a share of its longer side. */
+const usualMargin = 0.07;
+
+/** The margin in a box: less in a small one, unless the numbers of rows need it for more than two digits. */
+export function marginIn({ width, height }: Size, area: Area): number {
+  const digits = Math.max(...[area.y, area.y + area.height - 1].map((row) => String(row).length));
+  return Math.min(width, height) < 420 && digits <= 2 ? 0.05 : usualMargin;
+}
 
 /** The position of the plane in a box of the page: the area and a margin around it, centred, or a part of that. */
 export class Frame {
@@ -52,7 +58,7 @@ export class Frame {
     readonly wanted: Zoom | null = null,
     /** The extent of the scene. */
     readonly extent: Rectangle = [area.x, area.y, area.width, area.height],
-    readonly margin = margins.usual,
+    readonly margin = usualMargin,
   ) {
     const { x, y, width, height } = area;
     this.whole = withMargin([x, y, width, height], margin);

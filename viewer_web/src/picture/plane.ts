@@ -10,7 +10,7 @@ import type { HistoryTexts } from '../language/texts.js';
 import type { Area } from '../trace/header.js';
 import './axes.js';
 import { extentOf } from './extent.js';
-import { Frame, margins } from './frame.js';
+import { Frame, marginIn } from './frame.js';
 import type { Point, Rectangle, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
 import { OwnSize, pointIn } from './own-size.js';
@@ -20,8 +20,6 @@ import { extended } from './target.js';
 import './targets-element.js';
 import './zoom-bar.js';
 
-/** The size of a box, in CSS pixels, below which the margins are small. */
-const small = 420;
 /** The factor by which a key or a button magnifies the picture. */
 const zoomStep = 1.5;
 
@@ -70,9 +68,7 @@ export abstract class PlaneElement extends LitElement {
       known.size === size.value &&
       known.wanted === zoom;
     if (isSame) return known;
-    const { width, height } = size.value;
-    const margin = Math.min(width, height) < small ? margins.small : margins.usual;
-    return (this.known = new Frame(area, size.value, zoom, extent, margin));
+    return (this.known = new Frame(area, size.value, zoom, extent, marginIn(size.value, area)));
   }
 
   /** Moves the focus to the picture, to choose a place. */

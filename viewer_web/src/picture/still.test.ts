@@ -26,4 +26,12 @@ describe('the name of a polygon', () => {
     expect(label?.text).toBe(`${'я'.repeat(31)}…`);
     expect(label?.of).toBe(long);
   });
+
+  it('lies in the picture even if its first vertex is at the edge', () => {
+    const name = 'ABCDEFGHIJKLMNOPQRST';
+    const [label] = labelsOf(sceneOf(name), frame);
+    // 20 letters of 8 CSS pixels at 35 CSS pixels per unit need 2.3 units on each side of the middle; the picture begins at -0.56.
+    expect(label?.at[0]).toBeCloseTo(-0.56 + 2.3, 1);
+    expect(label?.at[1]).toBe(1);
+  });
 });

@@ -16,6 +16,8 @@ const gridFrom = 7;
 
 /** CSS pixels. */
 export const labelSize = 13;
+/** The usual width of a letter of a label. */
+const letterWidth = labelSize * 0.62;
 
 /** The visible lines between pixels, if they are far enough apart. */
 export function gridShapes({ area, shown, scale }: Frame): readonly Shape[] {
@@ -69,13 +71,12 @@ export interface Label {
   readonly at: readonly [x: number, y: number];
 }
 
-export function labelsOf({ polygons }: Scene, { whole }: Frame): readonly Label[] {
+export function labelsOf({ polygons }: Scene, frame: Frame): readonly Label[] {
   if (polygons.length > mostLabels) return [];
-  return polygons.map(({ id, vertices }) => ({
-    text: clipped(id),
-    of: id,
-    at: labelSpot(vertices, whole),
-  }));
+  return polygons.map(({ id, vertices }) => {
+    const text = clipped(id);
+    return { text, of: id, at: labelSpot(text, vertices, frame) };
+  });
 }
 
 function clipped(name: string): string {
@@ -95,17 +96,21 @@ export function notesOf(marks: readonly Mark[], { whole, scale }: Frame): readon
   });
 }
 
-/** A place a little inward from the first vertex, because the centres of polygons often coincide. */
+/** A place a little inward from the first vertex, because the centres of polygons often coincide, and inside the picture. */
 function labelSpot(
+  text: string,
   vertices: Polygon['vertices'],
-  [x, y, width, height]: Frame['whole'],
+  { whole: [x, y, width, height], scale }: Frame,
 ): Label['at'] {
-  const within = (value: number, from: number, size: number): number =>
-    Math.min(Math.max(value, from + size * 0.1), from + size * 0.9);
+  const half = (Array.from(text).length * letterWidth) / 2 / scale;
+  const within = (value: number, from: number, size: number, room: number): number => {
+    const margin = Math.min(Math.max(size * 0.1, room), size / 2);
+    return Math.min(Math.max(value, from + margin), from + size - margin);
+  };
   const spot = (axis: 0 | 1): number => {
     const along = vertices.map((vertex) => vertex[axis]);
     const middle = along.reduce((sum, each) => sum + each, 0) / along.length;
     return (along[0] ?? 0) * 0.8 + middle * 0.2;
   };
-  return [within(spot(0), x, width), within(spot(1), y, height)];
+  return [within(spot(0), x, width, half), within(spot(1), y, height, 0)];
 }

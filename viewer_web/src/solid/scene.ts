@@ -78,7 +78,7 @@ function boxLines({ x, y, width, height }: Area, { far, near }: Space): readonly
 
 /** The names at the same places as in the picture, on the planes of the polygons. */
 function names(scene: Scene): Drawing['labels'] {
-  const spots = labelsOf(scene, new Frame(scene.area, { width: 1, height: 1 }));
+  const spots = labelsOf(scene, new Frame(scene.area, { width: 1000, height: 1000 }));
   return spots.flatMap(({ text, of = '', at: [x, y] }) => {
     const polygon = scene.byId.get(of);
     if (polygon === undefined) return [];
