@@ -1,3 +1,4 @@
+import { relationBy } from '../language/words.js';
 import type { Decision } from '../trace/events.js';
 import type { Operands } from '../trace/values.js';
 import { Fraction, half } from './fraction.js';
@@ -73,13 +74,12 @@ function get(numbers: Numbers, name: string): Fraction {
 }
 
 const whole = (number: bigint): string => String(number).replace('-', '−');
-const relations = { '-1': '<', '0': '=', '1': '>' } as const;
 const withZero = (value: Fraction): string =>
-  value.sign === 0 ? '= 0' : `= ${value.text} ${relations[value.sign]} 0`;
+  value.sign === 0 ? '= 0' : `= ${value.text} ${relationBy[value.sign]} 0`;
 
 /** The comparison of one number with another. */
 function compared(name: string, a: Fraction, other: string, b: Fraction): Lines {
-  return [`${name} ${relations[a.minus(b).sign]} ${other}`];
+  return [`${name} ${relationBy[a.minus(b).sign]} ${other}`];
 }
 
 function pair(numbers: Numbers, one: string, other: string): Lines {
@@ -171,7 +171,7 @@ function box(numbers: Numbers): Lines {
   ] as const;
   return pairs.map(([own, other]) => {
     const [a, b] = [get(numbers, `box.${own}`), get(numbers, `window.${other}`)];
-    return `box.${own} = ${a.text} ${relations[a.minus(b).sign]} ${b.text} = window.${other}`;
+    return `box.${own} = ${a.text} ${relationBy[a.minus(b).sign]} ${b.text} = window.${other}`;
   });
 }
 

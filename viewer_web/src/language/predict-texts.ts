@@ -1,6 +1,6 @@
-import type { Relation } from '../predict/asker.js';
 import type { Abouts, Asks, Becomes, Column, Form, Kind, tests } from '../predict/question.js';
 import type { Event } from '../trace/events.js';
+import type { Relation } from './words.js';
 
 /** The texts of predictions. */
 export interface PredictTexts {

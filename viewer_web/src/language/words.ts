@@ -80,8 +80,13 @@ function asFraction(value: string): readonly [bigint, bigint] | null {
   return [BigInt(above), BigInt(below)];
 }
 
-/** The order of one number relative to another: -1, 0 or 1; null if they cannot be compared. */
-export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
+/** The order of one number relative to another. */
+export type Order = -1 | 0 | 1;
+export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<Order, string>;
+export type Relation = (typeof relationBy)[Order];
+
+/** The order of one number relative to another; null if they cannot be compared. */
+export function orderOf(a: N, b: N): Order | null {
   const [one, other] = [a, b].map((value) =>
     typeof value === 'string' ? asFraction(value) : null,
   );

@@ -1,4 +1,5 @@
-import { orderOf, point, short, toNumber } from '../language/words.js';
+import { orderOf, point, relationBy, short, toNumber } from '../language/words.js';
+import type { Relation } from '../language/words.js';
 import { point as dot } from '../picture/mark.js';
 import type { Trace } from '../replay/trace.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
@@ -37,9 +38,7 @@ export function depthOptions(depths: readonly N[]): readonly Option[] {
   }));
 }
 
-export type Relation = '>' | '=' | '<';
 const relations: readonly Relation[] = ['>', '=', '<'];
-export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 export const relationOptions = optionsOf(relations);
 
 export const signBy = { '-1': '-', 0: '0', 1: '+' } as const;

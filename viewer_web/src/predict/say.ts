@@ -1,9 +1,9 @@
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { withoutDoubledSigns } from '../language/words.js';
+import type { Relation } from '../language/words.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
-import type { Relation } from './asker.js';
 import { between, columnsOf, none, parts } from './question.js';
 import type {
   Abouts,

@@ -1,7 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import { toNumber } from '../language/words.js';
+import { relationBy, toNumber } from '../language/words.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { mostOptions, optionsOf, relationBy, relationOptions } from '../predict/asker.js';
+import { mostOptions, optionsOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { becomes } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';

@@ -1,6 +1,7 @@
 import { polygonThing } from '../algorithm/pointed.js';
+import { relationBy } from '../language/words.js';
 import { eventAt } from '../predict/ahead.js';
-import { cellsOf, relationBy, relationOptions } from '../predict/asker.js';
+import { cellsOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 
 /** Which of two polygons is the nearer at a pixel that belongs to regions of both? */

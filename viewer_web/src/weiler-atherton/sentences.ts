@@ -1,6 +1,6 @@
 import { commonSentences } from '../algorithm/common-sentences.js';
 import type { SentencesOf } from '../language/texts.js';
-import { cells, orderOf } from '../language/words.js';
+import { cells, orderOf, relationBy } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import type { WeilerAthertonEvents } from '../trace/events.js';
 import { isOpenOutline } from './events.js';
@@ -226,18 +226,16 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
   order: {
     en: ({ polygon, other, point: at, z, otherZ, order }, { point, shortApart }) => {
       const so = { '-1': 'behind', 0: 'as near as', 1: 'nearer than' }[order];
-      const sign = { '-1': '<', 0: '=', 1: '>' }[order];
       const [own, others] = shortApart(z, otherZ);
       return orderOf(z, otherZ) === order
-        ? `At the centre ${point(at)} ${polygon} is ${so} ${other}: ${own} ${sign} ${others}.`
+        ? `At the centre ${point(at)} ${polygon} is ${so} ${other}: ${own} ${relationBy[order]} ${others}.`
         : `At the centre ${point(at)} ${polygon} counts as ${so} ${other}: ${own} against ${others}.`;
     },
     ru: ({ polygon, other, point: at, z, otherZ, order }, { point, shortApart }) => {
       const so = { '-1': 'дальше, чем', 0: 'так же близко, как', 1: 'ближе, чем' }[order];
-      const sign = { '-1': '<', 0: '=', 1: '>' }[order];
       const [own, others] = shortApart(z, otherZ);
       return orderOf(z, otherZ) === order
-        ? `В центре ${point(at)} ${polygon} ${so} ${other}: ${own} ${sign} ${others}.`
+        ? `В центре ${point(at)} ${polygon} ${so} ${other}: ${own} ${relationBy[order]} ${others}.`
         : `В центре ${point(at)} ${polygon} считается ${so} ${other}: ${own} против ${others}.`;
     },
   },
