@@ -9,14 +9,6 @@ const [program, mode] = process.argv.slice(2);
 const folder = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
 const work = mkdtempSync(join(tmpdir(), 'vidno-failures-'));
 
-/** The reasons of a fault in a trace, in Russian. */
-const faults = {
-  'the list of vertices is read past its end': 'чтение за концом списка вершин',
-  'the last entry of AEL has no partner': 'последняя запись AEL осталась без пары',
-  'outside the area': 'вне области',
-  'division by zero': 'деление на нуль',
-};
-
 const comma = (number) => String(number).replace('.', ',');
 
 /** An answer: yes or no, a number, or a half-open range. */
@@ -27,9 +19,16 @@ const answer = (value, { yes, no, none, range }) => {
   if (end - first === 1) return String(first);
   return first < end ? range(first, end - 1) : none;
 };
-/** What a decision is about, in each language: the page's table, which the build makes. */
-const eventTable = readFileSync(join(folder, '../../viewer_web/src/trace/event-table.ts'), 'utf8');
-const decisions = Function(`return ${eventTable.match(/decisionWords = (\{.*?\n\}) as const/su)[1]}`)();
+
+/** A table of the page. */
+const tableOf = (file, name) => {
+  const text = readFileSync(join(folder, '../../viewer_web/src', file), 'utf8');
+  return Function(`return ${text.match(new RegExp(`const ${name}\\b.*? = (\\{.*?\\n\\})`, 'su'))[1]}`)();
+};
+/** What a decision is about, in each language. The build makes this table. */
+const decisions = tableOf('trace/event-table.ts', 'decisionWords');
+/** The reasons of a fault in a trace, in Russian. */
+const faults = tableOf('language/fault-reason.ts', 'russian');
 
 const english = { yes: 'yes', no: 'no', none: 'none', range: (first, last) => `${first} to ${last}` };
 const russian = { yes: 'да', no: 'нет', none: 'пусто', range: (first, last) => `от ${first} до ${last}` };

@@ -122,9 +122,7 @@ private:
         out_of_view_ += shown.empty() && !parts.empty();
         part_ids_.name(shown);
         for (ScenePolygon& polygon : shown) scene_.polygons.push_back(std::move(polygon));
-        if (scene_.polygons.size() > most_polygons) {
-            throw Refused("cut into more than " + std::to_string(most_polygons) + " polygons");
-        }
+        if (scene_.polygons.size() > most_polygons) throw Refused(too_many_parts());
     }
 
     /// The face itself, or the triangles it is cut into; none if it is dropped.

@@ -1,4 +1,4 @@
-/// The ids of a scene: non-empty, at most longest_id bytes, all different; and those of the parts into which a polygon is cut.
+/// The ids of a scene: non-empty, at most longest_id bytes, all different; and the parts into which polygons are cut.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +20,9 @@ inline std::string_view first_bytes(std::string_view text, std::size_t most) {
     while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
     return text.substr(0, most);
 }
+
+/// The reason to refuse a scene whose polygons were cut into more than most_polygons parts.
+inline std::string too_many_parts() { return "cut into more than " + std::to_string(most_polygons) + " polygons"; }
 
 /// Parts of polygon "A" become "A.1", "A.2", ...; numbers already in use are skipped. A single part keeps the id.
 class PartIds {

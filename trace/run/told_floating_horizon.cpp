@@ -163,9 +163,11 @@ DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Fo
         kind == KernelKind::filtered ? std::numeric_limits<double>::digits : Arithmetic::of(request.kernel).digits();
     Judging judging{followers.judge, followers.survey, digits};
     if (kind == KernelKind::filtered) return told(request, FilteredBy(StageTally{followers.count}), judging);
-    if (!followers.judge && kind == KernelKind::binary32) return told(request, Float{}, judging);
-    if (!followers.judge && kind == KernelKind::binary64) return told(request, Double{}, judging);
-    if (!followers.judge && kind == KernelKind::bits) return told(request, MachineKernel(request.kernel), judging);
+    if (!followers.judge) {
+        if (kind == KernelKind::binary32) return told(request, Float{}, judging);
+        if (kind == KernelKind::binary64) return told(request, Double{}, judging);
+        if (kind == KernelKind::bits) return told(request, MachineKernel(request.kernel), judging);
+    }
     const Judge judge_comparison = [&](const Verdict& verdict) {
         if (!judging.in_visibility) (*followers.judge)(verdict);
     };

@@ -177,9 +177,7 @@ private:
                 }
             });
         }
-        if (scene_.polygons.size() > most_polygons) {
-            node.refuse("cut into more than " + std::to_string(most_polygons) + " polygons");
-        }
+        if (scene_.polygons.size() > most_polygons) node.refuse(too_many_parts());
     }
 
     void add(const JsonNode& node, ScenePolygon polygon, std::size_t position) {

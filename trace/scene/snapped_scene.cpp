@@ -51,8 +51,7 @@ SnappedScene snapped_scene(const AdmittedScene& admitted, int bits) {
         sources.insert(sources.end(), parts.size(), i);
         std::move(parts.begin(), parts.end(), std::back_inserter(snapped.polygons));
     }
-    if (snapped.polygons.size() > most_polygons)
-        throw Refused("cut into more than " + std::to_string(most_polygons) + " polygons");
+    if (snapped.polygons.size() > most_polygons) throw Refused(too_many_parts());
     return {exact_scene::admit(std::move(snapped)), std::move(sources), snapping};
 }
 
