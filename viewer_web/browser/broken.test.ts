@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { browser } from './browser.js';
+import { browser, settled } from './browser.js';
 import { sentences, stepsOf } from './compare.js';
 import { editing, handle } from './live.js';
 import { goTo, open, openFile, openUrl, shown, whole } from './page.js';
@@ -114,6 +114,31 @@ describe('a broken line of the listing', () => {
     await page.getByRole('button', { name: 'Back to the correct run' }).click();
     await page.locator('vidno-comparison').waitFor({ state: 'detached' });
     expect((await shown(page)).step).toBe(7);
+    expect(faults).toEqual([]);
+  });
+
+  it('has both pictures and sentences in sight, also on a projector', async () => {
+    const { page, faults } = await openRun(warnock);
+    await breakLine(page, 'D1', 'depth-sign-reversed');
+    for (const presenting of [false, true]) {
+      if (presenting) await page.keyboard.press('f');
+      for (const [width, height] of [
+        [1920, 1080],
+        [1440, 900],
+        [1366, 768],
+        [1280, 720],
+        [1024, 768],
+      ] as const) {
+        await page.setViewportSize({ width, height });
+        await settled(page);
+        const dock = await page.locator('vidno-comparison .dock').boundingBox();
+        const ends = await page
+          .locator('vidno-compared-run :is(.picture, .picture canvas, .sentence)')
+          .evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().bottom));
+        const where = `${width} x ${height}${presenting ? ', presenting' : ''}`;
+        expect(Math.max(...ends), where).toBeLessThanOrEqual(dock?.y ?? 0);
+      }
+    }
     expect(faults).toEqual([]);
   });
 

@@ -2,7 +2,17 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { goTo, open, openFile, opened, repeated, shown, small, whole } from './page.js';
+import {
+  goTo,
+  open,
+  openFile,
+  opened,
+  repeated,
+  showsAnother,
+  shown,
+  small,
+  whole,
+} from './page.js';
 
 describe('a file of the reader’s own', () => {
   it('may be dropped, plain or gzip', async () => {
@@ -11,9 +21,10 @@ describe('a file of the reader’s own', () => {
       ['plain.jsonl', Buffer.from(small)],
       ['packed.jsonl.gz', gzipSync(small)],
     ] as const) {
-      await drop(page, name, content);
-      await page.locator('.title h2', { hasText: name }).waitFor();
+      await showsAnother(page, () => drop(page, name, content));
       await whole(page);
+      const shownName = await page.locator('.title h2').textContent();
+      expect(shownName?.trim()).toBe('A square, a triangle and a slope'); // what it shows, not the file
       expect((await shown(page)).length).toBe(small.trim().split('\n').length - 2);
     }
     expect(faults).toEqual([]);

@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { open, openFile, repeated, sampleTrace, shown, small, whole } from './page.js';
+import { open, openFile, repeated, sampleTrace, showsAnother, shown, small, whole } from './page.js';
 
 const events = 1_000_000;
 
@@ -120,8 +120,7 @@ describe('a trace of a million events', () => {
   it('may be stepped through while it is read, and stays at the current step', async () => {
     const name = 'growing.jsonl';
     const { page } = await open(browser, '#lang=en');
-    await openFile(page, name, warnock());
-    await page.locator('.title h2', { hasText: name }).waitFor();
+    await showsAnother(page, () => openFile(page, name, warnock()));
     for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
     expect((await shown(page)).step).toBe(3);
     expect(await page.locator('vidno-notice .growing').textContent()).toMatch(

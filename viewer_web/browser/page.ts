@@ -100,7 +100,6 @@ export async function showsAnother(page: Page, act: () => Promise<unknown>): Pro
 /** Opens a file that is a trace and waits until the whole of it is shown. */
 export async function opened(page: Page, name: string, content: string | Buffer): Promise<void> {
   await showsAnother(page, () => openFile(page, name, content));
-  await page.locator('.title h2', { hasText: name }).waitFor();
   await whole(page);
 }
 

@@ -39,7 +39,7 @@ describe('a page on disk, whose address works for nobody else, is saved as anoth
     );
 
     const again = await openSaved(file);
-    await again.page.locator(title, { hasText: 'own.jsonl' }).waitFor();
+    await again.page.locator(title, { hasText: 'A square, a triangle and a slope' }).waitFor();
     await whole(again.page);
     expect(await run(again.page)).toEqual(before);
     expect((await shown(again.page)).step).toBe(40);

@@ -31,6 +31,7 @@ import { nameIn } from '../language/scene-name.js';
 import { embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
+import { sceneTitle } from '../lessons/run-name.js';
 import '../player/player.js';
 import type { PlayerElement } from '../player/player.js';
 import { namesNothing, parseAddress } from '../reader/address.js';
@@ -441,6 +442,6 @@ export class AppElement extends LitElement implements Shown, Told {
     const lesson = this.lessons.find(({ traces }) => traces.some(isOpen));
     const run = lesson?.traces.find(isOpen)?.title ?? lesson?.title;
     const { language } = setup;
-    return run?.[language] ?? (nameIn(language, session.name) || texts[language].page.unnamed);
+    return run?.[language] ?? sceneTitle(language, session.name);
   }
 }

@@ -61,7 +61,6 @@ export class Session implements ReactiveController {
   trace: Trace | null = null;
   /** The number of its steps read so far. */
   steps = 0;
-  name = '';
   lesson: string | null = null;
   place = beginning;
   /** The reader's own file, if one is open. */
@@ -277,6 +276,11 @@ export class Session implements ReactiveController {
     this.say({ kind: 'unknown', name });
   }
 
+  /** The name of the open scene. */
+  get name(): string {
+    return this.trace?.header.scene.name ?? '';
+  }
+
   /** Stops reading the file and keeps the steps read so far. */
   stop(): void {
     this.stopReading();
@@ -325,7 +329,7 @@ export class Session implements ReactiveController {
     }
     this.file = null;
     const place = goal === null ? { step } : { ...goal, step: Math.min(goal.step, length) };
-    this.show(trace, trace.header.scene.name, null, { ...this.place, ...place });
+    this.show(trace, null, { ...this.place, ...place });
     this.goal = null;
     this.say(noticeOf(trace));
   }
@@ -354,7 +358,7 @@ export class Session implements ReactiveController {
           this.file = lesson === null && file instanceof File ? file : null;
           this.failure = null;
           if (lesson === null) this.checks?.doubt(trace);
-          this.show(trace, name, lesson, place);
+          this.show(trace, lesson, place);
           this.live.open(trace.header);
         }
         if (this.trace === trace) this.say(noticeOf(trace));
@@ -368,12 +372,11 @@ export class Session implements ReactiveController {
     this.stopReading = openTrace(file, readers, () => library && moduleOf(library));
   }
 
-  private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
+  private show(trace: Trace, lesson: string | null, place: Place): void {
     if (this.trace !== null) this.witness.close();
     this.trace = trace;
     this.steps = trace.timeline.length;
-    this.name = name;
-    this.asked = name;
+    this.asked = this.name;
     this.lesson = lesson;
     this.place = { ...place, step: Math.min(place.step, this.steps) };
     this.rival.follow(trace.header.scene);

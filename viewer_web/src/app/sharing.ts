@@ -5,6 +5,7 @@ import { inEachLanguage } from '../language/language.js';
 import { idOf } from '../lessons/lessons.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
 import { isOnDisk, pageFile } from '../lessons/page-file.js';
+import { sceneTitle } from '../lessons/run-name.js';
 import { formatAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import { sceneFile } from '../run/sketch.js';
@@ -111,6 +112,6 @@ async function savePage(page: Shared, own: Own | null): Promise<void> {
 
 const lessonOf = ({ run }: Own, name: string): Lesson => ({
   id: run.file,
-  title: inEachLanguage(() => name),
+  title: inEachLanguage((language) => sceneTitle(language, name)),
   traces: [run],
 });

@@ -60,8 +60,11 @@ export class BrokenLineElement extends LitElement {
         color: var(--bad);
         font: 600 0.8125rem / 1.5 var(--mono);
       }
+      .what {
+        display: var(--what, block);
+      }
       .pictures {
-        display: flex;
+        display: var(--changes, flex);
         gap: 0.6rem;
       }
       canvas {
@@ -74,7 +77,7 @@ export class BrokenLineElement extends LitElement {
         text-align: center;
       }
       .ways {
-        display: flex;
+        display: var(--ways, flex);
         flex-wrap: wrap;
         gap: 0.4rem;
       }
@@ -116,7 +119,7 @@ export class BrokenLineElement extends LitElement {
           ${say.is('')}${lines.map((at) => html`<span class="line">${at}</span> `)}
           ${title[language]}
         </h2>
-        <p>${says[language]}</p>
+        <p class="what">${says[language]}</p>
         ${smallest === null ? nothing : html`<p><i>${say.isSmallest(smallest)}</i></p>`}
         <p class="result" role="status">${this.result()}</p>
       </div>

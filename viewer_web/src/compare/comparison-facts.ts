@@ -66,7 +66,7 @@ export class ComparisonFactsElement extends LitElement {
           ${this.editable ? this.switch('edit', say.edit, `${say.editHint} (E)`) : nothing}
         </p>
       </div>
-      ${comparison.isByShare ? html`<p class="share">${say.byShare}</p>` : nothing}
+      ${comparison.alignment === null ? nothing : html`<p class="share">${say[comparison.alignment]}</p>`}
       ${this.counters()}
     `;
   }

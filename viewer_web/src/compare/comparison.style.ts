@@ -12,8 +12,10 @@ export const comparisonStyle = css`
     --legend: none;
     --least-picture: ${leastPicture};
   }
+  /* For a projector everything is magnified, so less is large enough. */
   :host([presenting]) {
     --tools: none;
+    --least-picture: 8rem;
   }
   .runs {
     display: grid;
@@ -28,6 +30,13 @@ export const comparisonStyle = css`
   }
   vidno-comparison-facts {
     grid-area: facts;
+  }
+  /* Where there is little room, the pictures and sentences are more important. */
+  @media (max-height: 799px) {
+    vidno-broken-line {
+      --what: none;
+      --changes: none;
+    }
   }
   /* Where the page scrolls, the time controls stay in sight. */
   .dock {
@@ -52,8 +61,8 @@ export const comparisonStyle = css`
       grid-template:
         'name-one name-other' auto
         'picture-one picture-other' minmax(${leastPanel}, var(--panels, 1fr))
-        'list-one list-other' clamp(6.5rem, 100dvh - 41.5rem, 24rem)
         'said-one said-other' auto
+        'list-one list-other' clamp(6.5rem, 100dvh - 41.5rem, 24rem)
         'facts facts' auto
         / minmax(0, 1fr) minmax(0, 1fr);
     }
@@ -84,9 +93,9 @@ export const comparisonStyle = css`
       grid-template:
         'name-one' auto
         'picture-one' ${leastPanel}
+        'said-one' auto
         'name-other' auto
         'picture-other' ${leastPanel}
-        'said-one' auto
         'said-other' auto
         'facts' auto
         'list-one' 15rem
@@ -96,6 +105,14 @@ export const comparisonStyle = css`
     .dock {
       padding: 0.4rem 0.6rem;
     }
+    vidno-broken-line {
+      --changes: none;
+    }
+  }
+  :host([presenting]) vidno-broken-line {
+    --what: none;
+    --changes: none;
+    --ways: none;
   }
   :host([presenting]) .runs {
     --listing: none;
@@ -104,6 +121,7 @@ export const comparisonStyle = css`
     --said: 5.4rem;
     --said-size: 1.0625rem;
     flex: 1;
+    min-height: 0;
     grid-template:
       'name-one name-other' auto
       'picture-one picture-other' minmax(0, 1fr)

@@ -87,7 +87,7 @@ describe('two runs diverge', () => {
     const zbuffer = trace([{ e: 'clear', at: 'Z1', color: '#ffffff', z: 0 }], headerOf('zbuffer'));
     const comparison = await compared(trace([push, pop]), zbuffer);
     expect(comparison.parting).toBeNull();
-    expect(comparison.isByShare).toBe(true);
+    expect(comparison.alignment).toBe('byShare');
     // Half of two steps is half of one step, rounded up.
     expect([0, 1, 2].map((step) => comparison.paired(step))).toEqual([0, 1, 1]);
   });
@@ -101,6 +101,19 @@ describe('two runs are stepped together', () => {
     const steps = fine.map((_, i) => comparison.paired(i + 1));
     // push, pop; the window is decided in step 7 of one run and in step 3 of the other.
     expect(steps).toEqual([1, 2, 2, 2, 2, 2, 3, 4]);
+  });
+});
+
+describe('two runs without a common window', () => {
+  it('are stepped together up to the first difference', async () => {
+    const long = Array.from({ length: 8 }, () => corners(2));
+    const comparison = await compared(
+      trace([push, corners(0), count]),
+      trace([push, corners(0), corners(1), ...long]),
+    );
+    expect(comparison.parting?.text).toEqual([3, 3]);
+    expect(comparison.alignment).toBe('byShareAfter');
+    expect([1, 2, 3].map((step) => comparison.paired(step))).toEqual([1, 2, 3]);
   });
 });
 

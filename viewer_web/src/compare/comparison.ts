@@ -57,13 +57,15 @@ export class Comparison {
     const { text = null, deed = null } = this.parting ?? {};
     if (deed?.[0] === step) return deed[1];
     const isOneDetail = this.one.header.detail === this.other.header.detail;
-    if (isOneDetail && text?.[0] === step) return text[1]; // the texts are the same up to there
+    // The texts are the same up to there.
+    if (isOneDetail && text && step <= text[0]) return step < text[0] ? step : text[1];
     return this.pairing?.other(step) ?? null;
   }
 
-  /** Whether the runs have no step in common. */
-  get isByShare(): boolean {
-    return this.pairing?.byShare === true;
+  /** How the runs are aligned if they have no window, row or curve in common: by progress, if need be from a step on. */
+  get alignment(): 'byShare' | 'byShareAfter' | null {
+    if (this.pairing?.byShare !== true) return null;
+    return (this.parting?.text?.[0] ?? 1) > 1 ? 'byShareAfter' : 'byShare';
   }
 
   /** How much differs in the end, see `differenceAt`; null until it is known. */

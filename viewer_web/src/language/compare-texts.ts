@@ -23,6 +23,7 @@ export interface CompareTexts {
   readonly together: string;
   readonly togetherHint: string;
   readonly byShare: string;
+  readonly byShareAfter: string;
   readonly parting: string;
   readonly text: string;
   readonly deed: string;

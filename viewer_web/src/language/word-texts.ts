@@ -12,9 +12,13 @@ export interface VerdictTexts {
   readonly pixels: (n: number) => string;
   readonly allRight: string;
   readonly someWrong: (n: number) => string;
+  /** The same for a text that is not the corrected one: its arithmetic may be right. */
+  readonly someOther: (n: number) => string;
   readonly comparing: string;
   readonly notCompared: string;
   readonly decisionsRight: string;
+  /** The same for a text that is not the corrected one: its picture may be wrong nevertheless. */
+  readonly decisionsRightBut: string;
   /** The number of steps. */
   readonly decisionsWrong: (n: number) => string;
   readonly windows: (n: number) => string;

@@ -1,5 +1,7 @@
+import { texts } from '../i18n/index.js';
 import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
+import { nameIn } from '../language/scene-name.js';
 import type { PageTexts } from '../language/texts.js';
 import type { LessonTrace } from './lessons.js';
 
@@ -23,3 +25,7 @@ export function runLabel(trace: LessonTrace, page: PageTexts, language: Language
   const { title, way } = runName(trace, page, language);
   return title === way ? way : `${title} (${way})`;
 }
+
+/** The name of a scene as a title. */
+export const sceneTitle = (language: Language, name: string): string =>
+  nameIn(language, name) || texts[language].page.unnamed;

@@ -146,7 +146,9 @@ export const listingStyle = css`
     color: var(--accent);
   }
   @media (forced-colors: active) {
-    .now .mark {
+    .now .mark,
+    .entered h3 *,
+    [aria-current] :is(.at, var) {
       color: inherit;
     }
   }

@@ -92,6 +92,11 @@ describe('a scene that reaches farther than the area', () => {
     expect(top).toBeLessThan(-6);
     expect(left + width).toBeGreaterThan(24);
     expect(top + height).toBeGreaterThan(26);
+    // 44 CSS pixels around everything are left for the zoom buttons, which lie over the picture.
+    const { scale } = frame.with(all);
+    expect(
+      Math.min(-8 - left, -6 - top, left + width - 24, top + height - 26) * scale,
+    ).toBeGreaterThan(43);
     expect(frame.with(all).middle[0]).toBeCloseTo(8);
     expect(frame.with(all).middle[1]).toBeCloseTo(8);
     expect(frame.with(all).isSmallest).toBe(true);

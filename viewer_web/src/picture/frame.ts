@@ -26,6 +26,8 @@ const large = 64;
 const most = 40;
 /** The least distance between lines, in CSS pixels. */
 const apart = 5;
+/** CSS pixels around everything that the view can reach: the zoom buttons lie there, and knobs of vertices are whole. */
+const controls = 44;
 /** The margin around the area as a share of its longer side. */
 const usualMargin = 0.07;
 
@@ -61,18 +63,16 @@ export class Frame {
     readonly margin = usualMargin,
   ) {
     const { x, y, width, height } = area;
-    this.whole = withMargin([x, y, width, height], margin);
+    const border = Math.max(width, height) * margin;
+    this.whole = around([x, y, width, height], [border, border]);
     const reach: Point = [farther(extent, this.whole, 0), farther(extent, this.whole, 1)];
     const isWhole = reach[0] === 0 && reach[1] === 0;
-    const [left, top, wide, high] = this.whole;
-    this.bounds = isWhole
-      ? this.whole
-      : withMargin(
-          [left - reach[0], top - reach[1], wide + 2 * reach[0], high + 2 * reach[1]],
-          margin,
-        );
-    const fit = (shown: Rectangle): number =>
-      Math.max(Math.min(size.width / shown[2], size.height / shown[3]), 1e-6);
+    const fit = ([, , across, down]: Rectangle, room = 0): number =>
+      Math.max(Math.min((size.width - 2 * room) / across, (size.height - 2 * room) / down), 1e-6);
+    const reached = around(this.whole, reach);
+    const room = Math.min(controls, size.width / 4, size.height / 4);
+    const beyond = room / fit(reached, room);
+    this.bounds = isWhole ? this.whole : around(reached, [beyond, beyond]);
     this.fit = fit(this.whole);
     this.least = Math.min(1, fit(this.bounds) / this.fit);
     const by = this.limited(wanted?.by ?? 1);
@@ -188,10 +188,12 @@ export class Frame {
   }
 }
 
-function withMargin([x, y, width, height]: Rectangle, margin: number): Rectangle {
-  const around = Math.max(width, height) * margin;
-  return [x - around, y - around, width + 2 * around, height + 2 * around];
-}
+const around = ([x, y, width, height]: Rectangle, [across, down]: Point): Rectangle => [
+  x - across,
+  y - down,
+  width + 2 * across,
+  height + 2 * down,
+];
 
 /** The greater of the two distances by which one rectangle extends beyond another along an axis. */
 function farther(one: Rectangle, other: Rectangle, axis: 0 | 1): number {

@@ -65,6 +65,8 @@ export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check):
   return `${parts.join('; ')}.`.replace('….', '…');
 }
 
+const isCorrected = ({ header }: Trace): boolean => header.edition === 'corrected';
+
 /** Claims exactness only after a comparison with the exact picture. */
 function comparedWith(exact: Exact, trace: Trace, view: View): string {
   const { verdict } = texts[view.language];
@@ -74,7 +76,9 @@ function comparedWith(exact: Exact, trace: Trace, view: View): string {
     return isAwaited ? verdict.comparing : verdict.notCompared;
   }
   const { wrong, lacking } = differenceOf(view.screen.picture, right);
-  return wrong + lacking === 0 ? verdict.allRight : verdict.someWrong(wrong + lacking);
+  const others = wrong + lacking;
+  if (others === 0) return verdict.allRight;
+  return isCorrected(trace) ? verdict.someWrong(others) : verdict.someOther(others);
 }
 
 /** The number of steps with wrong decisions in a checked trace, where the disagreements follow the step. */
@@ -86,13 +90,14 @@ function wrongSteps({ timeline: { names } }: Trace): number {
 /** Claims exactness only after a check. */
 function decisionsOf(check: Check, trace: Trace, view: View): string {
   const { verdict } = texts[view.language];
+  const allRight = isCorrected(trace) ? verdict.decisionsRight : verdict.decisionsRightBut;
   switch (check.is) {
     case 'certain':
-      return verdict.decisionsRight;
+      return allRight;
     case 'told':
     case 'found': {
       const wrong = check.is === 'found' ? check.truth.wrong.length : wrongSteps(trace);
-      return wrong === 0 ? verdict.decisionsRight : verdict.decisionsWrong(wrong);
+      return wrong === 0 ? allRight : verdict.decisionsWrong(wrong);
     }
     case 'checking':
       return verdict.comparing;

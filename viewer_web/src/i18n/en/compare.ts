@@ -30,6 +30,7 @@ export const compare: CompareTexts = {
   together: 'Step together',
   togetherHint: 'Off: the buttons and keys step the first run alone',
   byShare: 'These runs have no steps in common: they are aligned by progress.',
+  byShareAfter: 'From the first difference on, the runs are aligned by progress.',
   parting: 'First difference',
   text: 'in the record',
   deed: 'in a decision',

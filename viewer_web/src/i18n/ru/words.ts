@@ -24,9 +24,11 @@ export const verdict: VerdictTexts = {
   pixels: (n) => count(n, { one: 'пиксель', few: 'пикселя', other: 'пикселей' }),
   allRight: 'все как в точной арифметике',
   someWrong: (n) => `не как в точной арифметике: ${n}`,
+  someOther: (n) => `не как в правильном изображении: ${n}`,
   comparing: 'идёт сверка с точной арифметикой…',
   notCompared: 'с точной арифметикой не сверено',
   decisionsRight: 'все решения как в точной арифметике',
+  decisionsRightBut: 'все решения как в точной арифметике, но текст не исправлен',
   decisionsWrong: (n) => `шагов с неверными решениями: ${n}`,
   windows: (n) => count(n, { one: 'окно', few: 'окна', other: 'окон' }),
   comparisons: (n) =>
