@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { evil, sampleLesson } from '../src/testing/lessons.js';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { openContents, opened, shown, small } from './page.js';
+import { openContents, opened, showsAnother, shown, small } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 describe('the text of a lesson', () => {
@@ -101,6 +101,22 @@ describe('the text of a lesson', () => {
       await expect.poll(() => list.evaluate((e: HTMLSelectElement) => e.value)).toBe(lesson);
       await expect.poll(() => list.evaluate((e) => e.matches(':focus'))).toBe(true);
     }
+  });
+
+  it('is chosen together with a run from the same list', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
+    const list = page.locator('vidno-reader .bar select');
+    const runs = list.locator('optgroup[label="Runs of this lesson"] option');
+    const ids = await runs.evaluateAll((all) =>
+      all.map((each) => (each as HTMLOptionElement).value),
+    );
+    expect(ids.length).toBeGreaterThan(1);
+    for (const id of ids.reverse()) {
+      await showsAnother(page, () => list.selectOption(id));
+      expect(new URLSearchParams(new URL(page.url()).hash.slice(1)).get('trace')).toBe(id);
+      expect(await list.inputValue()).toBe('first');
+    }
+    expect(faults).toEqual([]);
   });
 
   it('is absent for a lesson without one, and for a file of the reader’s own', async () => {

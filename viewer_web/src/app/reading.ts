@@ -48,7 +48,7 @@ export class Reading {
   ) {}
 
   /**
-   * Opens the lesson and run in an address, or the first lesson if there are none. A step in the address takes precedence
+   * Opens the lesson and run in an address, or lesson 1 if there are none. A step in the address takes precedence
    * over the text.
    */
   async follow(address: Address): Promise<void> {
@@ -56,7 +56,7 @@ export class Reading {
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
     const isOpen = namesNothing(address);
-    const lesson = named ?? (isOpen ? this.lessons[0] : undefined) ?? null;
+    const lesson = named ?? (isOpen ? this.first : null);
     // A reader without an address first sees the result of the run.
     const place = { step: step ?? (isOpen ? Infinity : 0), pixel, bookmarks };
     const opened = this.open(lesson, at);
@@ -69,6 +69,11 @@ export class Reading {
       if (at === null) this.goal = { place: null, isRead: false };
       this.begin(lesson, step === null ? at : null, place);
     }
+  }
+
+  /** The lesson at which the page opens: lesson 1 of the course, for which lesson 0 only prepares, or else the first one. */
+  private get first(): Lesson | null {
+    return this.lessons.find(({ id }) => id.startsWith('01-')) ?? this.lessons[0] ?? null;
   }
 
   /** Opens a single run, with the text of its lesson. */

@@ -208,11 +208,12 @@ const onScreen = css`
   }
 `;
 
-/** A panel reduced to some of its parts hides the others. */
+/** A panel reduced to some of its parts hides the others, and those that the trace does not record. */
 const onlyParts = unsafeCSS(
-  stateParts
-    .map((part) => `:host([parts]:not([parts~='${part}'])) [data-part='${part}']`)
-    .join(',\n') + ' { display: none; }',
+  [
+    ...stateParts.map((part) => `:host([parts]:not([parts~='${part}'])) [data-part='${part}']`),
+    ':host([parts]) .untold',
+  ].join(',\n') + ' { display: none; }',
 );
 
 export const panelsStyle = [onScreen, onlyParts, panelsPrint];

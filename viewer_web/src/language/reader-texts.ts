@@ -27,6 +27,7 @@ export interface ReaderTexts {
   readonly previous: string;
   readonly next: string;
   readonly otherLessons: string;
+  readonly runs: string;
   readonly refused: (where: string, reason: string) => string;
   readonly broken: string;
 }

@@ -258,7 +258,7 @@ export const playerStyle = css`
           min-content,
           clamp(
             ${leastPanel},
-            var(--room, 100dvh - 3.25rem) - var(--dock, var(--usual-dock)),
+            var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
             100cqw + var(--feet, var(--foot, 2.25rem))
           )
         )

@@ -12,17 +12,24 @@ export type AddressOf = (lesson: string, place?: string) => string | null;
 export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
   return (id, place) => {
     if (!lessons.some((each) => each.id === id)) return null;
-    const nothingElse = {
-      trace: null,
-      entry: null,
-      live: null,
-      rival: null,
-      step: null,
-      pixel: null,
-    };
-    return formatAddress({ setup, lesson: id, at: place ?? null, ...nothingElse, bookmarks: [] });
+    return formatAddress({ ...nothing, setup, lesson: id, at: place ?? null });
   };
 }
+
+/** The address of a run beside the text of a lesson. */
+export const addressOfRun = (lesson: string | null, trace: string, setup: Setup): string =>
+  formatAddress({ ...nothing, setup, lesson, trace });
+
+const nothing = {
+  at: null,
+  trace: null,
+  entry: null,
+  live: null,
+  rival: null,
+  step: null,
+  pixel: null,
+  bookmarks: [],
+};
 
 /** A description of the run of a pin. */
 export function runOf(

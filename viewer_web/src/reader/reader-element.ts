@@ -7,7 +7,9 @@ import { base } from '../elements/theme.js';
 import { FirstTerms } from '../i18n/glossary.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
+import { idOf } from '../lessons/lessons.js';
 import type { Lesson } from '../lessons/lessons.js';
+import { runLabel } from '../lessons/run-name.js';
 import { isRefusal } from '../trace/refusal.js';
 import type { Setup } from './address.js';
 import { blocks } from './blocks.js';
@@ -15,7 +17,7 @@ import { Drawings } from './drawings.js';
 import { Fitting } from './fitting.js';
 import { opening, printedAnswers, sources } from './frame.js';
 import { inlines } from './inlines.js';
-import { addressIn, runOf } from './links.js';
+import { addressIn, addressOfRun, runOf } from './links.js';
 import type { AddressOf } from './links.js';
 import { readerStyle } from './reader.style.js';
 import { ReadingPlace } from './reading-place.js';
@@ -146,27 +148,40 @@ export class ReaderElement extends LitElement {
     </article>`;
   }
 
-  /** The choice of a lesson among those that have a text. */
+  /** The choice of a lesson among those that have a text, and of a run of the current lesson. */
   private choice(): TemplateResult | typeof nothing {
     const { language, lessons, story } = this;
     const told = lessons.filter((lesson) => lesson.story !== undefined);
-    if (told.length < 2 || story === null) return nothing;
+    const runs = told.find(({ id }) => id === story?.id)?.traces ?? [];
+    if (story === null || told.length + runs.length <= 2) return nothing;
+    const { page, reader } = texts[language];
     return html`<select
-      aria-label=${texts[language].page.lessons}
+      aria-label=${page.lessons}
       .value=${live(story.id)}
       @change=${this.onChoose}
     >
-      ${told.map(
-        ({ id, title }) =>
-          html`<option value=${id} ?selected=${id === story.id}>${title[language]}</option>`,
-      )}
+      <optgroup label=${page.lessons}>
+        ${told.map(
+          ({ id, title }) =>
+            html`<option value=${id} ?selected=${id === story.id}>${title[language]}</option>`,
+        )}
+      </optgroup>
+      <optgroup label=${reader.runs}>
+        ${runs.map(
+          (run) => html`<option value=${idOf(run)}>${runLabel(run, page, language)}</option>`,
+        )}
+      </optgroup>
     </select>`;
   }
 
-  private onChoose(event: Event): void {
-    const address = this.addressOf((event.target as HTMLSelectElement).value);
+  private onChoose({ target }: Event): void {
+    const { value } = target as HTMLSelectElement;
+    const isRun = !this.lessons.some(({ id }) => id === value);
+    const address = isRun
+      ? addressOfRun(this.story?.id ?? null, value, this.setup)
+      : this.addressOf(value);
     if (address === null) return;
-    this.isChoosing = true;
+    this.isChoosing = !isRun;
     location.hash = address;
     // The choice shows the old lesson until the new one is read, and if the reader stays.
     this.requestUpdate();

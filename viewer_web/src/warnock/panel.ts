@@ -84,7 +84,7 @@ export class WarnockPanel extends LitElement {
 
   private listsUntold(): TemplateResult {
     const { apl, notInTrace } = this.view.texts;
-    return html`<section class="polygons" data-part="active-polygons">
+    return html`<section class="polygons untold" data-part="active-polygons">
       <h3>${apl}</h3>
       <p class="empty">${notInTrace}</p>
     </section>`;

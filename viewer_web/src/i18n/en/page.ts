@@ -35,7 +35,7 @@ export const page: PageTexts = {
   editions: editionTitles('en', 'mistake: '),
   kernel: 'numbers',
   detail: 'detail',
-  start: 'Nothing has happened yet. Press → for the first step.',
+  start: 'Nothing has happened yet. Play the run, or press → for the first step.',
   unnamed: 'Scene without a name',
   nothingOpen: 'Choose a lesson, or open a scene or a trace of your own.',
   picture: 'Picture',

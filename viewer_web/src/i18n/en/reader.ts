@@ -28,6 +28,7 @@ export const reader: ReaderTexts = {
   previous: 'Previous lesson',
   next: 'Next lesson',
   otherLessons: 'Other lessons',
+  runs: 'Runs of this lesson',
   refused: (where, reason) =>
     `The text of this lesson cannot be read${where === '' ? '' : ` at ${where}`}: ${reason}. Its runs still work.`,
   broken: 'The text of this lesson cannot be read. Its runs still work.',
