@@ -223,7 +223,7 @@ export const appStyle = css`
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --room: calc(max(${leastPanel}, 100vw) + var(--dock));
+      --room: calc(max(${leastPanel}, 100vw) + 1.4rem + var(--dock)); /* the zoom buttons */
     }
   }
   /* Two pictures and their sentences fit on one screen. */

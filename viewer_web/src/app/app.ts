@@ -245,6 +245,7 @@ export class AppElement extends LitElement implements Shown, Told {
 
   private openFile(file: File): void {
     this.ways.leave();
+    this.turnToContents(false);
     this.reading.close();
     void this.session.openFile(file);
   }
@@ -429,6 +430,7 @@ export class AppElement extends LitElement implements Shown, Told {
 
   private openSurface(name: string): void {
     this.ways.leave();
+    this.turnToContents(false);
     this.reading.close();
     this.session.openSurface(name);
     this.player.isEdited = true;

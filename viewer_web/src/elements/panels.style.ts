@@ -25,7 +25,7 @@ const onScreen = css`
     display: grid;
     --values: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
     grid-template-columns: var(--values);
-    gap: 0.35rem 0.75rem;
+    gap: 0.35rem var(--hall-gap, 0.75rem);
   }
   .values div {
     min-width: 0;

@@ -62,6 +62,15 @@ export class CurvePictureElement extends PlaneElement {
     return texts[this.view.language].curves.history;
   }
 
+  protected override spoken([x, y]: Pixel): string {
+    const { columns, header } = this.view;
+    const at = this.words.at(x, y);
+    if (columns === null || header.detail === 'windows') return at;
+    const i = x - header.scene.area.x;
+    const { upper, lower } = columns.horizons;
+    return `${at}: ${this.words.horizons(upper.at(i, 0), lower.at(i, 0))}`;
+  }
+
   protected override drawing(frame: Frame): unknown {
     const { view, layers } = this;
     const { curves } = view.header.scene;

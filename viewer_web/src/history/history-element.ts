@@ -163,7 +163,7 @@ export class HistoryElement extends LitElement {
   }
 
   private why(entry: Entry, history: History): TemplateResult {
-    return html`<p class="why">${sayWhy(entry, history, this.view.language)}</p>`;
+    return html`<p class="why">${sayWhy(entry, history, this.view.language, this.view.step)}</p>`;
   }
 
   private sign({ outcome, event, known }: Entry): unknown {

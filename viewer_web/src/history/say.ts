@@ -16,11 +16,17 @@ export function sayEntry(entry: Entry, header: Header, language: Language): stri
   return own ?? sentence(event, known, known, header, language);
 }
 
-/** Why the pixel has the colour of this entry, the last one to paint it. */
-export function sayWhy(entry: Entry, history: History, language: Language): string {
+/** Why the pixel has, or after step `now` will have, the colour of this entry, the last one to paint it. */
+export function sayWhy(
+  entry: Entry,
+  history: History,
+  language: Language,
+  now = entry.step,
+): string {
   const { because, whyBackground, why } = texts[language].history;
+  const step = entry.step > now ? entry.step.toLocaleString(language) : null;
   const { header } = history.trace;
   const reason = algorithmOf(header).why?.(entry, header) ?? untouched;
   const start = reason.polygon === null ? whyBackground : because;
-  return `${start} ${why[reason.why](reason.polygon ?? '')}`;
+  return `${start(step)} ${why[reason.why](reason.polygon ?? '')}`;
 }

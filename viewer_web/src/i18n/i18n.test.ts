@@ -146,6 +146,15 @@ describe('a colour', () => {
     expect(saying(color('#ffffff'), {})[0]).toMatch(/sees the background\.$/u);
   });
 
+  it('is attributed to nobody if the trace contradicts itself', () => {
+    const ofB = { nearest: { polygon: 'B', z: 0.5 } };
+    expect(saying(color('#ffffff'), ofB)[0]).toBe('At (0.5, 0.5) the viewer sees #ffffff.');
+    expect(saying(fill('W9', '#ffffff'), ofB)).toEqual([
+      '2 pixels take the colour #ffffff.',
+      '2 пикселя получают цвет #ffffff.',
+    ]);
+  });
+
   it('is attributed to the polygon that hides the others', () => {
     expect(saying(fill('W8', shared), { covering: 'B' })).toEqual([
       '2 pixels take the colour of B.',

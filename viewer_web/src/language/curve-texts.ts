@@ -1,4 +1,5 @@
 import type { Layer } from '../floating-horizon/layers.js';
+import type { N } from '../trace/values.js';
 import type { HistoryTexts } from './texts.js';
 
 /** The texts of runs of curves. */
@@ -45,7 +46,10 @@ export interface SurfaceTexts {
 }
 
 /** The texts about a column and its history. */
-export type CurveHistoryTexts = Pick<
+export interface CurveHistoryTexts extends Pick<
   HistoryTexts,
   'pixel' | 'at' | 'hint' | 'how' | 'forget' | 'entries' | 'outcomes' | 'painted' | 'unpainted'
->;
+> {
+  /** The horizons over a column, for its announcement: their heights, null without one. */
+  readonly horizons: (upper: N | null, lower: N | null) => string;
+}

@@ -108,9 +108,10 @@ export interface HistoryTexts {
   readonly later: (n: number) => string;
   readonly missed: (polygon: string) => string;
   readonly kept: (polygon: string) => string;
-  readonly because: string;
+  /** With the step that paints the pixel, if that is yet to come. */
+  readonly because: (step: string | null) => string;
   readonly why: Readonly<Record<Why, (polygon: string) => string>>;
-  readonly whyBackground: string;
+  readonly whyBackground: (step: string | null) => string;
 }
 
 /** The texts about moves through a run that are longer than a step. */

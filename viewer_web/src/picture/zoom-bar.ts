@@ -43,6 +43,9 @@ export class ZoomBarElement extends LitElement {
         overflow: hidden;
         background: var(--panel);
       }
+      .upright {
+        flex-direction: column;
+      }
       button {
         display: grid;
         place-items: center;
@@ -54,6 +57,10 @@ export class ZoomBarElement extends LitElement {
       }
       button + button {
         border-left: 1px solid var(--line);
+      }
+      .upright button + button {
+        border-top: 1px solid var(--line);
+        border-left: 0;
       }
       button:hover:not([aria-disabled='true']) {
         background: var(--accent-wash);
@@ -83,7 +90,10 @@ export class ZoomBarElement extends LitElement {
   override render(): TemplateResult {
     const { texts, frame } = this;
     const isWhole = frame.zoom === null;
-    return html`<div role="group" aria-label=${texts.zoom}>
+    const { size, area } = frame;
+    // There is more room beside the picture than below it.
+    const isUpright = size.width * area.height > size.height * area.width;
+    return html`<div role="group" class=${isUpright ? 'upright' : ''} aria-label=${texts.zoom}>
       ${this.button('out', frame.isSmallest)} ${this.button('in', frame.isLargest)}
       ${this.button('whole', isWhole)}
       ${frame.hasMore ? this.button('all', frame.isSmallest) : nothing}

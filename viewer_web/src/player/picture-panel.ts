@@ -54,7 +54,11 @@ export class PicturePanelElement extends LitElement {
       vidno-legend {
         display: var(--tools, var(--legend, flex));
       }
+      /* The zoom buttons lie over the picture's upper margin. */
       @container (max-width: 520px) {
+        .drawing {
+          min-height: calc(var(--least-picture, 0px) + 1.4rem);
+        }
         vidno-readout {
           grid-column: 1 / 3;
           min-height: 1.75rem;

@@ -259,7 +259,7 @@ export const playerStyle = css`
           clamp(
             ${leastPanel},
             var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
-            100cqw + var(--feet, var(--foot, 2.25rem))
+            100cqw + var(--above, 0px) + var(--feet, var(--foot, 2.25rem))
           )
         )
         'dock' auto
@@ -298,6 +298,15 @@ export const playerStyle = css`
     .asides {
       display: none;
     }
+    /* A question may be answered in the picture, too. */
+    :host([asking]) .picture {
+      position: sticky;
+      top: 0;
+      z-index: 2;
+    }
+    :host([asking]) .beside {
+      --covered: 23rem; /* by the picture */
+    }
     .dock {
       position: sticky;
       bottom: 0;
@@ -324,6 +333,7 @@ export const playerStyle = css`
       border-radius: 0;
     }
     .stage {
+      --above: 1.4rem; /* the zoom buttons */
       --feet: 4.25rem; /* the readout and the layers in two lines */
     }
     :host([layout='workbench']) .stage {

@@ -14,6 +14,7 @@ export const presenterStyle = css`
     --bar: 0px;
     --hall: grid;
     --hall-values: repeat(2, minmax(0, 1fr));
+    --hall-gap: 0.4rem;
     --hall-list: 5rem;
     --hall-line: 0px;
     --hall-wide: auto;
@@ -86,6 +87,9 @@ export const presenterStyle = css`
     line-height: 1.3;
   }
   @media (max-width: 520px) {
+    :host([presenting]) {
+      padding: 0.25rem 0 0;
+    }
     :host([presenting]) .sentence {
       height: 5.5rem;
       font-size: 0.875rem;

@@ -63,6 +63,10 @@ export const questionStyle = css`
   fieldset:disabled label:has(:checked) {
     font-weight: 600;
   }
+  /* Where the picture stays in sight, it covers the upper part of the screen. */
+  :is(h3, .result, input, button) {
+    scroll-margin-top: var(--covered, 0px);
+  }
   label input {
     flex: none;
     width: 1.05rem;

@@ -23,6 +23,9 @@ describe('in Warnock’s algorithm', () => {
     expect(sayWhy(last(history.entries), history, 'en')).toBe(
       'Why it has this colour: B surrounds this window and hides everything else in it.',
     );
+    expect(sayWhy(last(history.entries), history, 'en', 90)).toBe(
+      'Why it gets this colour at step 91: B surrounds this window and hides everything else in it.',
+    );
   });
 
   it('a polygon that is clipped and misses the pixel leaves the background', async () => {

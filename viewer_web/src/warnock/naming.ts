@@ -1,4 +1,4 @@
-import { ownedBy } from '../algorithm/owners.js';
+import { nobody, ownedBy } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { toNumber } from '../language/words.js';
 import type { Known, Words } from '../language/words.js';
@@ -85,11 +85,10 @@ export function ownersOf(
   if (e === 'fill' && fillsGround.includes(at)) return background;
   const isPoint = fillsPoint.includes(at);
   const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
-  if (told !== null && scene.byId.get(told)?.color === color) {
-    return ownedBy(told);
-  }
+  // A trace that contradicts itself gets no name, only the colour that it records.
+  if (told !== null) return scene.byId.get(told)?.color === color ? ownedBy(told) : nobody;
   const isBackground = color === scene.background;
-  if (isPoint && told === null && isBackground && detail !== 'windows') return background;
+  if (isPoint && isBackground && detail !== 'windows') return background;
   return {
     polygons: scene.polygons.filter((polygon) => polygon.color === color).map(({ id }) => id),
     background: isBackground,

@@ -1,4 +1,5 @@
 import type { CurveTexts } from '../../language/curve-texts.js';
+import { short } from '../../language/words.js';
 
 export const curves: CurveTexts = {
   curve: (curve) => `Curve ${curve}`,
@@ -30,6 +31,8 @@ export const curves: CurveTexts = {
   history: {
     pixel: 'Column',
     at: (x) => `Column ${x}`,
+    horizons: (upper, lower) =>
+      `upper horizon ${upper === null ? 'none' : short(upper)}, lower horizon ${lower === null ? 'none' : short(lower)}`,
     hint: (key) =>
       `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move by one column, with Shift by ten. Enter shows the history of the column. Escape leaves the picture.',

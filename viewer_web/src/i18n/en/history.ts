@@ -24,7 +24,8 @@ export const history: HistoryTexts = {
   later: (n) => `${n} later`,
   missed: (polygon) => `${polygon} does not cover the centre of this pixel, which stays as it is.`,
   kept: (polygon) => `On this row ${polygon} leaves the pixel as it is.`,
-  because: 'Why it has this colour:',
+  because: (step) =>
+    step === null ? 'Why it has this colour:' : `Why it gets this colour at step ${step}:`,
   why: {
     hides: (polygon) => `${polygon} surrounds this window and hides everything else in it.`,
     centre: (polygon) => `${polygon} is the nearest of all that cover its centre.`,
@@ -40,5 +41,6 @@ export const history: HistoryTexts = {
     region: (polygon) => `its centre lies in a visible region, where ${polygon} is the nearest.`,
     untouched: () => 'no polygon was drawn at this pixel.',
   },
-  whyBackground: 'Why it is background:',
+  whyBackground: (step) =>
+    step === null ? 'Why it is background:' : `Why it becomes background at step ${step}:`,
 };

@@ -1,4 +1,5 @@
 import type { CurveTexts } from '../../language/curve-texts.js';
+import { short } from './numbers.js';
 
 export const curves: CurveTexts = {
   curve: (curve) => `Кривая ${curve}`,
@@ -30,6 +31,8 @@ export const curves: CurveTexts = {
   history: {
     pixel: 'Столбец',
     at: (x) => `Столбец ${x}`,
+    horizons: (upper, lower) =>
+      `верхний горизонт ${upper === null ? 'не задан' : short(upper)}, нижний ${lower === null ? 'не задан' : short(lower)}`,
     hint: (key) =>
       `Щёлкните по столбцу изображения${key === null ? '' : ` или нажмите ${key}`}: здесь будут все кривые над ним, каждый флаг и каждое изменение горизонтов.`,
     how: 'Стрелки влево и вправо — другой столбец, с Shift — через десять. Enter показывает историю столбца. Escape — выход.',

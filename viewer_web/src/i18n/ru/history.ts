@@ -25,7 +25,8 @@ export const history: HistoryTexts = {
   later: (n) => `позже: ${n}`,
   missed: (polygon) => `${polygon} не покрывает центра этого пикселя: пиксель остаётся прежним.`,
   kept: (polygon) => `В этой строке ${polygon} не меняет пикселя.`,
-  because: 'Почему у него такой цвет:',
+  because: (step) =>
+    step === null ? 'Почему у него такой цвет:' : `Почему на шаге ${step} он получит этот цвет:`,
   why: {
     hides: (polygon) => `${polygon} охватывает это окно и закрывает в нём всё остальное.`,
     centre: (polygon) => `из всех, что покрывают его центр, ${polygon} ближе всех.`,
@@ -41,5 +42,6 @@ export const history: HistoryTexts = {
     region: (polygon) => `его центр лежит в видимой области, где ближе всех ${polygon}.`,
     untouched: () => 'ни один многоугольник его не закрасил.',
   },
-  whyBackground: 'Почему здесь фон:',
+  whyBackground: (step) =>
+    step === null ? 'Почему здесь фон:' : `Почему на шаге ${step} здесь будет фон:`,
 };
