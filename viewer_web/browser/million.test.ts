@@ -2,7 +2,16 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { open, openFile, repeated, sampleTrace, showsAnother, shown, small, whole } from './page.js';
+import {
+  open,
+  openFile,
+  repeated,
+  sampleTrace,
+  showsAnother,
+  shown,
+  small,
+  whole,
+} from './page.js';
 
 const events = 1_000_000;
 
