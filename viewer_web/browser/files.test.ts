@@ -2,17 +2,7 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import {
-  goTo,
-  open,
-  openFile,
-  opened,
-  repeated,
-  showsAnother,
-  shown,
-  small,
-  whole,
-} from './page.js';
+import { goTo, isOpen, open, openFile, opened, repeated, shown, small, whole } from './page.js';
 
 describe('a file of the reader’s own', () => {
   it('may be dropped, plain or gzip', async () => {
@@ -21,7 +11,8 @@ describe('a file of the reader’s own', () => {
       ['plain.jsonl', Buffer.from(small)],
       ['packed.jsonl.gz', gzipSync(small)],
     ] as const) {
-      await showsAnother(page, () => drop(page, name, content));
+      await drop(page, name, content);
+      await isOpen(page, name);
       await whole(page);
       const shownName = await page.locator('.title h2').textContent();
       expect(shownName?.trim()).toBe('A square, a triangle and a slope'); // what it shows, not the file

@@ -1,6 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import type { AppElement } from '../src/app/app.js';
 import { built, emptyPage } from './browser.js';
 import { temporaryFile } from './temporary.js';
 
@@ -100,7 +101,16 @@ export async function showsAnother(page: Page, act: () => Promise<unknown>): Pro
 /** Opens a file that is a trace and waits until the whole of it is shown. */
 export async function opened(page: Page, name: string, content: string | Buffer): Promise<void> {
   await showsAnother(page, () => openFile(page, name, content));
+  await isOpen(page, name);
   await whole(page);
+}
+
+/** Waits until the trace in a file of this name is shown. */
+export async function isOpen(page: Page, name: string): Promise<void> {
+  await page.waitForFunction((file) => {
+    const app = document.querySelector<AppElement>('vidno-app');
+    return app?.session.file?.name === file;
+  }, name);
 }
 
 /** Waits until everything is read. */

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { open, openFile, opened, showsAnother, shown } from './page.js';
+import { isOpen, open, openFile, opened, shown } from './page.js';
 
 /** Milliseconds for a task on a machine under several times its capacity. On an idle machine a second is too long. */
 const patience = 2500;
@@ -138,7 +138,8 @@ describe('a long operation does not block the page', () => {
       window: [0, 0, 1, 1],
     }));
     const text = traceOf(header('warnock', 8, polygonsOf(1)), skips);
-    await showsAnother(page, () => openFile(page, 'long.jsonl', text));
+    await openFile(page, 'long.jsonl', text);
+    await isOpen(page, 'long.jsonl');
     await page.locator('vidno-notice button').click();
     const notice = page.locator('vidno-notice .shortened');
     await notice.waitFor();

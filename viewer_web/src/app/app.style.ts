@@ -184,7 +184,7 @@ export const appStyle = css`
       grid-template:
         'header' auto
         'main' auto
-        'reader' minmax(min(17.5rem, 100dvh), 1fr) / minmax(0, 1fr);
+        'reader' minmax(min(16.4rem, 100dvh), 1fr) / minmax(0, 1fr);
       gap: 0.4rem 0;
     }
     :host([reading][view='workbench']) {

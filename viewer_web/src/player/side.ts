@@ -257,6 +257,14 @@ export class SideElement extends LitElement {
     }
   }
 
+  /** Beside the editor the lesson's parts of the state have little room: they scroll, also by keyboard. */
+  override updated(): void {
+    const panel = this.renderRoot.lastElementChild;
+    if (!(panel instanceof HTMLElement)) return;
+    if (this.parts !== null && this.edited === true) panel.tabIndex = 0;
+    else panel.removeAttribute('tabindex');
+  }
+
   private state(): TemplateResult {
     return showsOf(this.view).state(this.view, this.parts);
   }
