@@ -57,6 +57,33 @@ describe('a run of curves', () => {
     expect(faults).toEqual([]);
   });
 
+  it('speaks the horizons over the column under the cursor', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const name = 'crossing.floating-horizon.signs';
+    await opened(page, `${name}.jsonl`, sampleTrace(name));
+    await page.keyboard.press('End');
+    await page.keyboard.press('p');
+    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowLeft');
+    // A line at 1.5 and one from 3 to -1 over the columns 0 to 4. Heights grow downward.
+    const heard = page.locator('vidno-curve-picture [aria-live]');
+    expect(await heard.textContent()).toBe('Column 0: upper horizon 1.5, lower horizon 3');
+    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+    expect(await heard.textContent()).toBe('Column 4: upper horizon −1, lower horizon 1.5');
+    expect(faults).toEqual([]);
+  });
+
+  it('of the printed text ends with a verdict that says so', async () => {
+    const run = '15-floating-horizon.floating-horizon.double.printed-x-h1.signs';
+    const { page, faults } = await open(browser, `#lang=en&trace=${run}`);
+    await page.locator('.title h2', { hasText: /./u }).waitFor();
+    await page.keyboard.press('End');
+    // Its arithmetic is right, and its lines are wrong.
+    await expect
+      .poll(() => page.locator('.verdict').textContent())
+      .toBe('4 curves; every decision as in exact arithmetic, but this is not the corrected text.');
+    expect(faults).toEqual([]);
+  });
+
   it('steps over and out of its procedures', async () => {
     const { page } = await openHills();
     const call = stepOf(/"call","at":"FH5"/);

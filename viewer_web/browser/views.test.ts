@@ -242,6 +242,20 @@ describe('the view', () => {
   });
 });
 
+describe('the first page', () => {
+  it('is lesson 1 at the end of a Warnock run, without the list that its trace does not record', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await page.locator('.verdict').waitFor();
+    expect(await page.locator('vidno-reader .bar select').inputValue()).toMatch(/^01-/u);
+    const { step, length } = await shown(page);
+    expect(step).toBe(length);
+    const part = (name: string): Promise<boolean> =>
+      page.locator(`vidno-warnock [data-part=${name}]`).isVisible();
+    expect([await part('stack'), await part('active-polygons')]).toEqual([true, false]);
+    expect(faults).toEqual([]);
+  });
+});
+
 describe('the scene', () => {
   it.each([
     ['workbench', 1440, 'reader=off'],
