@@ -68,7 +68,7 @@ describe('a step', () => {
     await whole(page);
     await goTo(page, 300);
     await page.locator(title).click();
-    const found = await stepOn(page, 'lesson 0');
+    const found = await stepOn(page, 'lesson 1');
     expect((await shown(page)).step).toBe(300 + pressed);
     expect(costOf(found)).toBeLessThan(patience);
     expect(faults).toEqual([]);
