@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { leastPanel } from '../elements/least-picture.js';
+import { leastPanel, zoomButtons } from '../elements/least-picture.js';
 import { languages } from '../language/language.js';
 
 /** The header; below it the text, if there is one, and the run; over these, on demand, the lessons. */
@@ -223,7 +223,7 @@ export const appStyle = css`
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --room: calc(max(${leastPanel}, 100vw) + 1.4rem + var(--dock)); /* the zoom buttons */
+      --room: calc(max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
     }
   }
   /* Two pictures and their sentences fit on one screen. */

@@ -6,5 +6,8 @@ import { css } from 'lit';
  */
 export const leastPicture = css`20rem`;
 
-/** The same with a border. */
+/** The room for the zoom buttons above a picture that fills the width of a phone. */
+export const zoomButtons = css`1.4rem`;
+
+/** The least side with a border. */
 export const leastPanel = css`calc(20rem + 2px)`;

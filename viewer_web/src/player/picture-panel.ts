@@ -5,6 +5,7 @@ import { showsOf } from '../algorithm/shows.js';
 import type { LayerChoice } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import type { Editing } from '../editor/editor.js';
+import { zoomButtons } from '../elements/least-picture.js';
 import { base } from '../elements/theme.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import '../picture/legend.js';
@@ -57,7 +58,7 @@ export class PicturePanelElement extends LitElement {
       /* The zoom buttons lie over the picture's upper margin. */
       @container (max-width: 520px) {
         .drawing {
-          min-height: calc(var(--least-picture, 0px) + 1.4rem);
+          min-height: calc(var(--least-picture, 0px) + ${zoomButtons});
         }
         vidno-readout {
           grid-column: 1 / 3;

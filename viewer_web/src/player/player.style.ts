@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { leastPanel, leastPicture } from '../elements/least-picture.js';
+import { leastPanel, leastPicture, zoomButtons } from '../elements/least-picture.js';
 
 /**
  * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room
@@ -333,7 +333,7 @@ export const playerStyle = css`
       border-radius: 0;
     }
     .stage {
-      --above: 1.4rem; /* the zoom buttons */
+      --above: ${zoomButtons};
       --feet: 4.25rem; /* the readout and the layers in two lines */
     }
     :host([layout='workbench']) .stage {

@@ -1,10 +1,13 @@
-import { formatAddress } from './address.js';
+import { formatAddress, parseAddress } from './address.js';
 import type { Setup } from './address.js';
 import type { Language } from '../language/language.js';
 import type { PageTexts } from '../language/texts.js';
 import type { Lesson } from '../lessons/lessons.js';
 import { runLabel } from '../lessons/run-name.js';
 import type { LessonStory, Pin } from './story.js';
+
+/** An address that names nothing. */
+const nothing = parseAddress('');
 
 /** The address of a lesson, or of a place in its text, with the step of that place. Null if there is no such lesson. */
 export type AddressOf = (lesson: string, place?: string) => string | null;
@@ -19,17 +22,6 @@ export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
 /** The address of a run beside the text of a lesson. */
 export const addressOfRun = (lesson: string | null, trace: string, setup: Setup): string =>
   formatAddress({ ...nothing, setup, lesson, trace });
-
-const nothing = {
-  at: null,
-  trace: null,
-  entry: null,
-  live: null,
-  rival: null,
-  step: null,
-  pixel: null,
-  bookmarks: [],
-};
 
 /** A description of the run of a pin. */
 export function runOf(
