@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
-import { editing, rerun, run, title } from './live.js';
+import { edit, editing, rerun, run, scene, square, title, triangle } from './live.js';
 import { goTo, open, openContents, opened, openFile, sampleTrace, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 
@@ -137,6 +137,75 @@ describe('an edited scene', () => {
     expect(question.type()).toBe('beforeunload');
     await question.dismiss();
     expect(await run(page)).toEqual(changed);
+  });
+
+  it('is still asked about after a reload and after Back', async () => {
+    const { page, faults } = await editing(browser);
+    page.on('dialog', (dialog) => void dialog.accept());
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const x = page.getByLabel('x of vertex 1').first();
+    const changed = await rerun(page, async () => {
+      await x.fill('2');
+      await x.press('Enter');
+    });
+    await settled(page);
+    const question = page.locator('vidno-discard dialog[open]');
+    const leave = async (answer: string): Promise<void> => {
+      await openContents(page);
+      await page.locator('vidno-lesson-list a[href]').nth(2).click();
+      await question.getByRole('button', { name: answer }).click();
+      await expect.poll(() => run(page)).not.toEqual(changed);
+      await settled(page);
+    };
+
+    await page.reload();
+    await expect.poll(() => run(page)).toEqual(changed);
+    await leave('Discard');
+    await page.goBack();
+    await expect.poll(() => run(page)).toEqual(changed);
+    await settled(page);
+    await leave('Save the scene');
+    await page.goBack();
+    await expect.poll(() => run(page)).toEqual(changed);
+    await settled(page);
+    await openContents(page);
+    await page.locator('vidno-lesson-list a[href]').nth(2).click();
+    await expect.poll(() => run(page)).not.toEqual(changed);
+    expect(faults).toEqual([]);
+  });
+
+  it('is left by the last of several moves', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
+    const first = await run(page);
+    for (const at of [40, 80]) {
+      await goTo(page, at);
+      await page.locator(title).click();
+      await settled(page);
+    }
+    await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
+    await edit(page);
+    await settled(page);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const x = page.getByLabel('x of vertex 1').first();
+    const changed = await rerun(page, async () => {
+      await x.fill('2');
+      await x.press('Enter');
+    });
+    await settled(page);
+    const question = page.locator('vidno-discard dialog[open]');
+    for (const answer of ['Stay here', 'Discard']) {
+      for (let i = 0; i < 2; i++) {
+        await page.goBack();
+        await question.waitFor();
+        await settled(page);
+      }
+      expect(await run(page)).toEqual(changed);
+      await question.getByRole('button', { name: answer }).click();
+      await question.waitFor({ state: 'detached' });
+      await settled(page);
+    }
+    await expect.poll(() => run(page)).toEqual(first);
+    expect(faults).toEqual([]);
   });
 
   it('does not ask before anything was changed', async () => {

@@ -136,7 +136,7 @@ export class AppElement extends LitElement implements Shown, Told {
       memory.set('tour', 'offered');
       this.isOffered = true;
     }
-    void this.reading.follow({ ...address, rival: beside }).finally(() => {
+    void this.reading.follow({ ...address, rival: beside }, this.ways.isUnsaved).finally(() => {
       this.isOpening = false;
       if (isTour) this.showAround();
     });

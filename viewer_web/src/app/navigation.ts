@@ -10,10 +10,12 @@ import { Trail, isJump } from './trail.js';
 /** A place in a trace of the reader's own. */
 export type PlaceInFile = Pick<Place, 'step' | 'pixel'>;
 
-/** An address cannot name the file, so the browser's history keeps its number. */
-interface KeptPlace extends PlaceInFile {
-  readonly file: number;
-}
+/** What the browser's history keeps beside an address, which cannot tell it. */
+type Kept =
+  /** The number of an opened file. */
+  | (PlaceInFile & { readonly file: number })
+  /** The scene of the address has unsaved changes. */
+  | { readonly isUnsaved: true };
 
 /** The parts of the page that navigation needs. */
 export interface Travelled extends Shared, ReactiveControllerHost {
@@ -27,10 +29,11 @@ export interface Travelled extends Shared, ReactiveControllerHost {
 export class Navigation implements ReactiveController {
   private readonly trail = new Trail(
     () => addressOf(this.host),
-    () => this.place(),
+    () => this.kept(),
   );
   /** The files opened so far, by their numbers. */
   private readonly files: File[] = [];
+  private visits = 0;
 
   constructor(private readonly host: Travelled) {
     host.addController(this);
@@ -72,24 +75,30 @@ export class Navigation implements ReactiveController {
     session.move({ step });
   }
 
-  private place(): KeptPlace | null {
-    const { file, place } = this.host.session;
-    if (file === null) return null;
+  /** Whether the scene that the address stores has unsaved changes, made before *Back* or a reload. */
+  get isUnsaved(): boolean {
+    const kept = history.state as Kept | null;
+    return kept !== null && 'isUnsaved' in kept;
+  }
+
+  private kept(): Kept | null {
+    const { file, place, live } = this.host.session;
+    if (file === null) return live.isChanged ? { isUnsaved: true } : null;
     if (!this.files.includes(file)) this.files.push(file);
     return { file: this.files.indexOf(file), step: place.step, pixel: place.pixel };
   }
 
   /** The file of the current entry of the browser's history; null if it has none, or one from before a reload. */
   private get fileNow(): File | null {
-    const kept = history.state as KeptPlace | null;
-    return this.files[kept?.file ?? -1] ?? null;
+    const kept = history.state as Kept | null;
+    return kept !== null && 'file' in kept ? (this.files[kept.file] ?? null) : null;
   }
 
   /** *Back* or *Forward* to a place in a file. */
   private readonly onPlace = ({ state }: PopStateEvent): void => {
     const { fileNow: file, host } = this;
     if (file === null) return;
-    const { step, pixel } = state as KeptPlace;
+    const { step, pixel } = state as PlaceInFile;
     if (file === host.session.file) host.session.move({ step, pixel });
     else void this.visit(() => host.reopen(file, { step, pixel }));
   };
@@ -106,12 +115,19 @@ export class Navigation implements ReactiveController {
 
   /** Shows what the address or the browser's history names, unless the reader wants to keep an edited scene. */
   private async visit(show: () => void): Promise<void> {
-    const { host } = this;
+    const { host, trail } = this;
+    const visit = ++this.visits;
+    trail.wait();
     const wanted = parseAddress(location.hash).live;
     const now = await host.session.live.carried();
     const isSame = wanted !== null && wanted.scene === now?.scene;
-    if (isSame || (await this.mayLeave())) show();
-    else this.trail.restore(await addressOf(host));
+    const isFree = isSame || (await this.mayLeave());
+    // The reader went elsewhere while the question was open.
+    if (visit !== this.visits) return;
+    if (isFree) {
+      trail.arrive();
+      show();
+    } else trail.restore(await addressOf(host));
   }
 
   private async mayLeave(): Promise<boolean> {

@@ -49,9 +49,9 @@ export class Reading {
 
   /**
    * Opens the lesson and run in an address, or lesson 1 if there are none. A step in the address takes precedence
-   * over the text.
+   * over the text. A scene in the address may have unsaved changes.
    */
-  async follow(address: Address): Promise<void> {
+  async follow(address: Address, isUnsaved: boolean): Promise<void> {
     const { lesson: id, at, trace: name, entry, live, step, pixel, bookmarks } = address;
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
@@ -63,7 +63,7 @@ export class Reading {
     const missing = missingIn(address, trace, this.lessons);
     if (missing !== null) this.session.miss(missing);
     if (entry !== null) await this.session.openEntry(entry, address);
-    else if (live !== null) void this.session.openCarried(live, place);
+    else if (live !== null) void this.session.openCarried(live, place, isUnsaved);
     else if (trace !== undefined) this.show(trace, place);
     else if (lesson !== null && (await opened)) {
       if (at === null) this.goal = { place: null, isRead: false };

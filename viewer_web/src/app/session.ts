@@ -50,6 +50,12 @@ interface OpenFailure extends Failure {
   readonly entry: string | null;
 }
 
+/** Where a scene comes from: a failure that it shows, or earlier edits that were not saved. */
+interface Origin {
+  readonly failure?: OpenFailure | null;
+  readonly isUnsaved?: boolean;
+}
+
 /** The word in an address for the run that is correct, if it has a scene of its own. */
 const remedy = 'remedy';
 
@@ -226,7 +232,7 @@ export class Session implements ReactiveController {
     }
     const failure = { ...found.failure, entry };
     const { scene, fails } = failure;
-    this.openScene(scene, name, fails, placeIn(failure, wanted), failure);
+    this.openScene(scene, name, fails, placeIn(failure, wanted), { failure });
     this.besideRemedy(failure, wanted);
   }
 
@@ -258,14 +264,15 @@ export class Session implements ReactiveController {
     this.openScene(text, name, options, beginning);
   }
 
-  async openCarried({ run, scene }: Carried, place: Place): Promise<void> {
+  /** Opens a scene that an address stores. It may have unsaved changes from before. */
+  async openCarried({ run, scene }: Carried, place: Place, isUnsaved: boolean): Promise<void> {
     const now = await this.live.carried();
     if (now?.run === run && now.scene === scene) {
       this.move(place);
       return;
     }
     try {
-      this.openScene(await unpacked(scene), '', optionsOf(run), place);
+      this.openScene(await unpacked(scene), '', optionsOf(run), place, { isUnsaved });
     } catch (error) {
       this.fail('', error);
     }
@@ -304,13 +311,13 @@ export class Session implements ReactiveController {
     name: string,
     options: Options,
     place: Place,
-    failure: OpenFailure | null = null,
+    { failure = null, isUnsaved = false }: Origin = {},
   ): void {
     this.stopReading();
     this.asked = name;
     this.goal = place;
     this.next = failure;
-    if (this.live.load(text, options)) this.say(null);
+    if (this.live.load(text, options, isUnsaved)) this.say(null);
     else this.fail(name, null);
   }
 

@@ -27,8 +27,12 @@ export class Live {
   isRun = false;
   /** The scene as it was opened. */
   private opened: Sketch | null = null;
-  /** The scene as it was last opened or saved. */
+  /** The scene as it was last opened or saved; null if it was never saved. */
   private kept: Sketch | null = null;
+  /** Whether the scene being opened has unsaved changes from before. */
+  private isUnsaved = false;
+  /** The scenes saved so far, as texts: the browser's history may still list one as unsaved. */
+  private readonly saved = new Set<string>();
   /** The last packed scene, cached because packing takes a while. */
   private last: { readonly editing: Editing; readonly carried: Carried | null } | null = null;
   private readonly editor: Editor | null;
@@ -39,7 +43,11 @@ export class Live {
   ) {
     const changed = (editing: Editing): void => {
       this.editing = editing;
-      if (!editing.canUndo && !editing.canRedo) this.opened = this.kept = editing.sketch;
+      const { sketch, canUndo, canRedo } = editing;
+      if (!canUndo && !canRedo && sketch !== this.opened) {
+        this.opened = sketch;
+        this.kept = this.isUnsaved ? null : sketch;
+      }
       followers.changed();
     };
     const traced: Followers['traced'] = (trace) => {
@@ -62,11 +70,13 @@ export class Live {
   /** Continues with the scene of an opened trace. */
   open(header: Header): void {
     this.isRun = false;
+    this.isUnsaved = false;
     this.editor?.open(header);
   }
 
-  /** Runs a scene file; false if the page was built without the library. */
-  load(file: string, options: Options): boolean {
+  /** Runs a scene file, which may have unsaved changes; false if the page was built without the library. */
+  load(file: string, options: Options, isUnsaved = false): boolean {
+    this.isUnsaved = isUnsaved && !this.saved.has(file);
     this.editor?.load(file, options);
     return this.editor !== null;
   }
@@ -92,8 +102,10 @@ export class Live {
     if (this.editing === null) return;
     const { sketch } = this.editing;
     this.kept = sketch;
+    this.saved.add(sceneText(sketch));
     const file = new Blob([sceneFile(sketch)], { type: 'application/json' });
     download(file, `${fileName(sketch.name) || 'scene'}.json`);
+    this.followers.changed();
   }
 
   /** What an address must store to show this run again; null if there is no such run, or it is too long for an address. */
