@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { readingLine } from '../src/reader/reading-line.js';
 import { browser, settled } from './browser.js';
+import { spotOf } from './live.js';
 import { openContents, shown, whole } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
@@ -189,6 +190,58 @@ describe('beside the text', () => {
     expect(Math.min(picture?.width ?? 0, picture?.height ?? 0)).toBeGreaterThanOrEqual(320);
     const text = await page.locator('.box').boundingBox();
     expect(text?.height).toBeGreaterThan(0.3 * height);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('on a phone', () => {
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
+
+  it('a touched pixel is described above the picture beside the text', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&step=999', phone);
+    const picture = page.locator('vidno-picture');
+    const readout = page.locator('vidno-readout');
+    await picture.locator('svg').first().tap();
+    await expect
+      .poll(async () => (await readout.locator('span').allInnerTexts()).join(' '))
+      .toMatch(/^\(\d+, \d+\) .*#[0-9a-f]{6}$/);
+    const [box, frame] = [await readout.boundingBox(), await picture.boundingBox()];
+    expect(box?.y).toBeGreaterThanOrEqual(frame?.y ?? Infinity);
+    expect(faults).toEqual([]);
+  });
+
+  it('the tools include the name and the settings of the run', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first', phone);
+    const words = page.locator('vidno-run-words button');
+    expect(await words.isVisible()).toBe(false);
+    await page.getByRole('button', { name: 'Tools' }).tap();
+    await words.tap();
+    expect(await page.locator('vidno-run-words dl').innerText()).toContain('corrected');
+  });
+
+  it.each(['en', 'ru'])('without the text all controls of a lesson fit (%s)', async (lang) => {
+    const { page, faults } = await openReader(
+      browser,
+      `#lang=${lang}&lesson=first&view=lesson&reader=off`,
+      phone,
+    );
+    for (const part of [
+      '.asides .exact',
+      '.asides .predict',
+      'vidno-travel select',
+      '.step input',
+    ]) {
+      const box = await page.locator(`vidno-player ${part}`).first().boundingBox();
+      expect(box?.x, part).toBeGreaterThanOrEqual(0);
+      expect((box?.x ?? NaN) + (box?.width ?? NaN), part).toBeLessThanOrEqual(390);
+      expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThanOrEqual(844);
+    }
+    const { x, width } = await page.locator('vidno-player').evaluate((player) => {
+      const { trace } = player as HTMLElementTagNameMap['vidno-player'];
+      return trace?.header.scene.area ?? { x: NaN, width: NaN };
+    });
+    const [left, right] = [await spotOf(page, x, 0), await spotOf(page, x + width, 0)];
+    expect(right.x - left.x).toBeGreaterThanOrEqual(0.9 * 390);
     expect(faults).toEqual([]);
   });
 });

@@ -171,14 +171,17 @@ export const appStyle = css`
     .title {
       flex: 1;
     }
-    :host([reading]) .title,
-    :host([reading]) .fold {
+    :host([reading]) .fold,
+    :host([reading]) vidno-page-header:not([more]) .title {
       display: none;
     }
     :host([reading]) {
       --pad: 0px;
       --foot: 0px;
       --legend: none;
+      --more-controls: none;
+      --readout: flex;
+      --readout-position: absolute;
       --dock: 6.9rem;
       --room: calc(max(${leastPanel}, min(100vw, 50dvh)) + var(--dock));
       grid-template:

@@ -1,6 +1,6 @@
 import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property, state } from 'lit/decorators.js';
+import { customElement, property } from 'lit/decorators.js';
 import { withKey } from '../base/key-map.js';
 import type { PageView } from '../base/page-view.js';
 import { headerStyle } from '../elements/header.style.js';
@@ -133,7 +133,7 @@ export class PageHeaderElement extends LitElement {
   /** The key assignments, as written in an address. */
   @property({ attribute: false }) keys = '';
   /** Whether the tools are shown where there is no room for them. */
-  @state() private isMore = false;
+  @property({ type: Boolean, reflect: true }) more = false;
 
   override render(): TemplateResult {
     const { page } = texts[this.language];
@@ -145,14 +145,14 @@ export class PageHeaderElement extends LitElement {
       <slot></slot>
       <button
         class="more"
-        aria-expanded=${this.isMore ? 'true' : 'false'}
+        aria-expanded=${this.more ? 'true' : 'false'}
         aria-label=${page.tools}
         title=${page.tools}
-        @click=${() => (this.isMore = !this.isMore)}
+        @click=${() => (this.more = !this.more)}
       >
         ☰
       </button>
-      <div class="tools ${this.isMore ? 'open' : ''}">
+      <div class="tools ${this.more ? 'open' : ''}">
         ${this.tools().map((each) => this.button(each))}
       </div>
     </header>`;

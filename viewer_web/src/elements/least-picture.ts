@@ -11,3 +11,9 @@ export const zoomButtons = css`1.4rem`;
 
 /** The least side with a border. */
 export const leastPanel = css`calc(20rem + 2px)`;
+
+/** A screen of this height has room for all controls of a lesson below a picture that fills the width of a phone. */
+export const tallScreen = css`740px`;
+
+/** The height of the controls that a lower screen leaves out. */
+export const moreControls = css`5.2rem`;

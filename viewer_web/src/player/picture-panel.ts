@@ -23,6 +23,7 @@ export class PicturePanelElement extends LitElement {
     css`
       /* The picture; below it, in one line, the readout of the pointer and the controls of the picture. */
       :host {
+        position: relative;
         display: grid;
         grid-template: minmax(0, 1fr) / minmax(0, 1fr) auto auto;
         grid-auto-rows: auto;
@@ -33,7 +34,7 @@ export class PicturePanelElement extends LitElement {
         min-height: var(--least-picture, 0px);
       }
       vidno-readout {
-        display: var(--legend, flex);
+        display: var(--readout, var(--legend, flex));
         order: 1;
         min-height: var(--foot, 2.25rem);
         padding: 0 0.75rem;
@@ -62,12 +63,19 @@ export class PicturePanelElement extends LitElement {
         }
         vidno-readout {
           grid-column: 1 / 3;
-          min-height: 1.75rem;
+          min-height: var(--foot, 1.75rem);
         }
         vidno-layers {
           grid-column: 1 / -1;
           order: 4;
           padding-left: 0.6rem;
+        }
+      }
+      /* Beside the text of a lesson there is no line for the readout: it lies in the picture's upper margin. */
+      @media (max-width: 899px) {
+        vidno-readout {
+          position: var(--readout-position, static);
+          inset: 0 4rem auto 0;
         }
       }
       .switches,

@@ -1,5 +1,11 @@
 import { css } from 'lit';
-import { leastPanel, leastPicture, zoomButtons } from '../elements/least-picture.js';
+import {
+  leastPanel,
+  leastPicture,
+  moreControls,
+  tallScreen,
+  zoomButtons,
+} from '../elements/least-picture.js';
 
 /**
  * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room
@@ -297,6 +303,17 @@ export const playerStyle = css`
     }
     .asides {
       display: none;
+    }
+    /* A tall screen has room for all controls of a lesson, unless the text takes it. */
+    @media (min-height: ${tallScreen}) {
+      .stage {
+        --usual-dock: calc(8.5rem + ${moreControls});
+      }
+      .asides {
+        display: var(--more-controls, flex);
+        grid-area: 3 / 1 / auto / -1;
+        margin: 0;
+      }
     }
     /* A question may be answered in the picture, too. */
     :host([asking]) .picture {

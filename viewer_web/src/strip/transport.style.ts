@@ -1,4 +1,5 @@
 import { css } from 'lit';
+import { tallScreen } from '../elements/least-picture.js';
 
 export const transportStyle = css`
   :host {
@@ -99,6 +100,12 @@ export const transportStyle = css`
   @container (max-width: 620px) {
     :host([brief]) slot {
       display: none;
+    }
+    @media (min-height: ${tallScreen}) {
+      :host([brief]) slot {
+        display: var(--more-controls, block);
+        grid-area: 2 / 1 / auto / -1;
+      }
     }
   }
   @container (max-width: 800px) {
