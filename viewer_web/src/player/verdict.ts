@@ -9,7 +9,7 @@ import { eventNames, numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 
 /** The largest scene that is compared with its exact picture without a request, and the longest run of curves. */
-const most = { pixels: 1 << 16, polygons: 200, steps: 1 << 15 };
+const most = { pixels: 1 << 20, polygons: 5000, steps: 1 << 15 };
 
 /** The events that a verdict counts: the first kind in this list that the run has. */
 const counted = ['windows', 'regions', 'curves', 'comparisons'] as const;
