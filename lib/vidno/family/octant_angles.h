@@ -22,7 +22,7 @@
 namespace vidno {
 
 struct OctantAngles {
-    /// Is an edge seen under half of a full turn?
+    /// Does an edge subtend a straight angle?
     static bool needs_split(int difference) { return difference == 4 || difference == -4; }
 
     template <class Run>

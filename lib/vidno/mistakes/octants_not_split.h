@@ -1,4 +1,4 @@
-/// OctantsNotSplit: an edge that is seen under half of a full turn is not split.
+/// OctantsNotSplit: an edge that subtends a straight angle is not split.
 ///
 /// Believed   that the numbers of its ends' octants tell the angle of every edge.
 /// Goes wrong from octant k to k + 4 both ways around the window are equally long: the difference is the same, whichever way

@@ -6,9 +6,9 @@ import type { CommonEvents } from '../trace/events.js';
 export const commonSentences: SentencesOf<keyof CommonEvents> = {
   plane: {
     en: ({ polygon, plane }, { texts }) =>
-      `The plane of ${polygon}: a, b, c, d = ${texts.numbers.list(plane)}.`,
+      `The plane of ${polygon}: (a, b, c, d) = (${texts.numbers.list(plane)}).`,
     ru: ({ polygon, plane }, { texts }) =>
-      `Плоскость ${polygon}: a, b, c, d = ${texts.numbers.list(plane)}.`,
+      `Плоскость ${polygon}: (a; b; c; d) = (${texts.numbers.list(plane)}).`,
   },
   call: {
     en: ({ of }, { texts }) => `${of} begins: ${texts.purposes[of]}`,
@@ -24,16 +24,16 @@ export const commonSentences: SentencesOf<keyof CommonEvents> = {
     en: ({ reason, x, y }, { point }) =>
       x === undefined || y === undefined
         ? `The printed text fails here: ${reason}. The run ends.`
-        : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`,
+        : `The printed text fails here, at pixel ${point([x, y])}: ${reason}.`,
     ru: ({ reason, x, y }, { point }) =>
       x === undefined || y === undefined
         ? `Напечатанный текст здесь ошибается: ${faultReason('ru', reason)}. Прогон окончен.`
-        : `Напечатанный текст здесь ошибается: ${faultReason('ru', reason)}, пиксель ${point([x, y])}.`,
+        : `Напечатанный текст здесь, в пикселе ${point([x, y])}, ошибается: ${faultReason('ru', reason)}.`,
   },
   disagree: {
     en: ({ of, taken, exact, cause }, { texts: { exact: say } }) =>
-      `Wrong, ${say.decided[of]}: computed ${say.answer(taken)}, exactly ${say.answer(exact)}. ${say.causes[cause]}`,
+      `Decided wrongly: ${say.decided[of]}. Computed: ${say.answer(taken)}; exact: ${say.answer(exact)}. ${say.causes[cause]}`,
     ru: ({ of, taken, exact, cause }, { texts: { exact: say } }) =>
-      `Неверно, ${say.decided[of]}: вычислено ${say.answer(taken)}, точно ${say.answer(exact)}. ${say.causes[cause]}`,
+      `Решено неверно: ${say.decided[of]}. Вычислено: ${say.answer(taken)}; точный ответ: ${say.answer(exact)}. ${say.causes[cause]}`,
   },
 };

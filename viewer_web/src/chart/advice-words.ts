@@ -49,7 +49,7 @@ export function adviceText(advice: Advice | null, shown: Shown): string {
     sentences.push(say.safer(name(safe), ratio(safe.cost / cheapest.cost, language)));
   }
   if (others.length > 0) {
-    sentences.push(say.others(others.map((point) => compared(point, cheapest, shown)).join(', ')));
+    sentences.push(say.others(others.map((point) => compared(point, cheapest, shown)).join('; ')));
   }
   if (neverRight.length > 0) {
     sentences.push(say.neverRight(neverRight.map(nameOf).join(', ')));

@@ -88,6 +88,11 @@ const onScreen = css`
   .apl {
     height: 6.4rem;
   }
+  .apl td:first-child {
+    max-width: 14em;
+    overflow: hidden;
+    text-overflow: ellipsis;
+  }
   .lists {
     display: grid;
     grid-template-columns: minmax(0, 0.85fr) minmax(0, 1.5fr) minmax(0, 0.85fr);

@@ -8,7 +8,7 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { ExactTexts } from '../language/exact-texts.js';
 import type { Trace } from '../replay/trace.js';
-import type { Answer } from '../trace/values.js';
+import type { Answer, N } from '../trace/values.js';
 import { askCheck } from './ask-check.js';
 import { calculation, hasDrifted } from './calculation.js';
 import type { Column } from './calculation.js';
@@ -17,6 +17,7 @@ import './findings-element.js';
 import './lens.js';
 import { mappedDecisionOf } from './mapped-decision.js';
 import type { MappedDecision } from './mapped-decision.js';
+import { inNotation, withoutOne } from './notation.js';
 import { side } from './places.js';
 import type { SignMap, SignMapSource } from './sign-map.js';
 import { superscript } from './superscript.js';
@@ -145,14 +146,15 @@ export class ExactnessElement extends LitElement {
   private decision(verdict: Verdict): TemplateResult {
     const say = this.texts;
     const { of, numbers, taken, exact, by } = verdict;
-    const { whole } = numbersOf(this.view);
+    const { language } = this.view;
+    const whole = (value: N): string => withoutOne(numbersOf(this.view).whole(value));
     const title = say.decided[of];
     return html`<section>
         <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
         <dl>
           ${numbers.map(
             ([name, value]) =>
-              html`<dt>${name}</dt>
+              html`<dt>${inNotation(name, language)}</dt>
                 <dd title=${whole(value)}>${written(whole(value))}</dd>`,
           )}
           <dt>${say.computed}</dt>
@@ -176,10 +178,12 @@ export class ExactnessElement extends LitElement {
   }
 
   /** The calculation line by line, also with the numbers of the run if they are not the right ones. */
-  private byHand({ of, operands }: Verdict): TemplateResult | typeof nothing {
-    if (operands === undefined) return nothing;
+  private byHand({ of, operands, numbers }: Verdict): TemplateResult | typeof nothing {
+    if (operands === undefined || calculation(of, operands, 'exact')?.length === 0) return nothing;
     const say = this.texts;
     const columns: readonly Column[] = hasDrifted(operands) ? ['used', 'exact'] : ['exact'];
+    const other = numbers[1]?.[0];
+    const shown = (line: string): string => inNotation(line, this.view.language, other);
     return html`<section class="by-hand">
       <h3>${say.byHand}</h3>
       ${columns.map((column) => {
@@ -190,7 +194,7 @@ export class ExactnessElement extends LitElement {
             lines === null
               ? html`<p class="hint">${say.noNumbers}</p>`
               : html`<ol class="lines">
-                  ${lines.map((line) => html`<li title=${line}>${written(line, longestLine)}</li>`)}
+                  ${lines.map(shown).map((line) => html`<li title=${line}>${written(line, longestLine)}</li>`)}
                 </ol>`
           }
         `;

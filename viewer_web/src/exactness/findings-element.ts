@@ -10,6 +10,7 @@ import type { ExactTexts } from '../language/exact-texts.js';
 import { isSeen, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
+import { inNotation, withoutOne } from './notation.js';
 import { superscript } from './superscript.js';
 
 /** The number of rows shown until the reader asks for more. */
@@ -157,7 +158,7 @@ export class FindingsElement extends LitElement {
     const { texts: say } = this;
     const { computed, gap, operands, pixels } = numbers;
     const { windowText } = numbersOf(this.view);
-    const right = exact === undefined ? '' : `; ${say.exact}: ${say.answer(exact)}`;
+    const right = exact === undefined ? '' : `; ${say.exact.toLowerCase()}: ${say.answer(exact)}`;
     const lines = [
       of === undefined ? procedure : `${procedure}: ${say.decided[of]}`,
       taken === undefined ? '' : `${say.computed}: ${say.answer(taken)}${right}`,
@@ -175,13 +176,12 @@ export class FindingsElement extends LitElement {
 
   private operand([name, used, exact]: Finding['operands'][number]): string {
     const right = exact === used || exact === null ? '' : ` (${this.number(exact)})`;
-    return `${name} = ${this.number(used)}${right}`;
+    return `${inNotation(name, this.view.language)} = ${this.number(used)}${right}`;
   }
 
   /** A shortened number, because fractions may be long; the file has all digits. */
   private number(value: N): string {
-    const text = numbersOf(this.view).whole(value);
-    const plain = text.endsWith('/1') ? text.slice(0, -2) : text;
+    const plain = withoutOne(numbersOf(this.view).whole(value));
     return plain.length > longest ? `${plain.slice(0, longest)}…` : plain;
   }
 

@@ -30,23 +30,23 @@ const names = {
 
 const flags: Bilingual<Readonly<Record<`${Flag}`, string>>> = {
   en: {
-    1: 'on the upper horizon or above it, and visible (1)',
-    '-1': 'on the lower horizon or below it, and visible (−1)',
-    0: 'strictly between the horizons, and hidden (0)',
-    2: 'on both horizons, or there are none yet, and visible (2)',
+    1: 'visible (1): it is on the upper horizon or above it',
+    '-1': 'visible (−1): it is on the lower horizon or below it',
+    0: 'hidden (0): it is strictly between the horizons',
+    2: 'visible (2): it is on both horizons, or there are none yet',
   },
   ru: {
-    1: 'на верхнем горизонте или выше него: видна (1)',
-    '-1': 'на нижнем горизонте или ниже него: видна (−1)',
-    0: 'строго между горизонтами: не видна (0)',
-    2: 'на обоих горизонтах, или их ещё нет: видна (2)',
+    1: 'видна (1): она на верхнем горизонте или выше него',
+    '-1': 'видна (−1): она на нижнем горизонте или ниже него',
+    0: 'не видна (0): она строго между горизонтами',
+    2: 'видна (2): она на обоих горизонтах, или их ещё нет',
   },
 };
 
 /** The printed text draws nothing between two such points (X-H1). */
 const lostBelow = {
   en: 'on the lower horizon or below it (−1)',
-  ru: 'на нижнем горизонте или ниже него (−1)',
+  ru: '— на нижнем горизонте или ниже него (−1)',
 };
 
 export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
@@ -83,7 +83,7 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
       const told = after.floatingHorizon?.told ?? null;
       const at = told?.x === x ? ` на высоте ${short(told.y)}` : '';
       const isLost = isLostBelow(flag, header.edition);
-      return `Над столбцом ${short(x)} кривая${at} — ${isLost ? lostBelow.ru : flags.ru[flag]}.`;
+      return `Над столбцом ${short(x)} кривая${at} ${isLost ? lostBelow.ru : flags.ru[flag]}.`;
     },
   },
   intersection: {
@@ -93,7 +93,7 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
     },
     ru: ({ at, point: met, columns: between }, words) => {
       const horizon = metBy(at, words.after.floatingHorizon ?? null);
-      return `Отрезок встречается ${horizon === null ? 'с горизонтом' : names.ru[horizon]} в ${words.point(met)}, ${where.ru(between, words)}.`;
+      return `Отрезок встречается ${horizon === null ? 'с горизонтом' : names.ru[horizon]} в точке ${words.point(met)}, ${where.ru(between, words)}.`;
     },
   },
   draw_line: {
@@ -129,7 +129,7 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
       const raised = `the upper horizon rises over ${words.counted(upper.length, columns.en)}`;
       const lowered = `the lower horizon falls over ${words.counted(lower.length, columns.en)}`;
       if (lower.length === 0) return `${over}: ${raised}.`;
-      return upper.length === 0 ? `${over}: ${lowered}.` : `${over}: ${raised}, ${lowered}.`;
+      return upper.length === 0 ? `${over}: ${lowered}.` : `${over}: ${raised}, and ${lowered}.`;
     },
     ru: ({ first, last, upper, lower }, words) => {
       if (last < first) return 'Между ними нет ни одного столбца: горизонты прежние.';
@@ -175,7 +175,7 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
         : `Over column ${short(x)} the segment is still on the same side of the horizon.`,
     ru: ({ x, changes }, { short }) =>
       changes
-        ? `Над столбцом ${short(x)} отрезок по другую сторону горизонта: встреча на пути сюда.`
+        ? `Над столбцом ${short(x)} отрезок уже по другую сторону горизонта: он пересёк его перед этим столбцом.`
         : `Над столбцом ${short(x)} отрезок по ту же сторону горизонта.`,
   },
 };

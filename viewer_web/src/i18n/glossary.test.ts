@@ -92,6 +92,15 @@ describe('the glossary', () => {
     expect(first.split('surrounding')).toMatchObject([{ term: { term: 'surrounding polygon' } }]);
   });
 
+  it('takes a name for a name, even if it looks like a term', () => {
+    const first = new FirstTerms('en', (word) => word === 'window');
+    expect(first.split('Window 2 lies beside window.').map(({ term }) => term?.term)).toEqual([
+      'window',
+      undefined,
+    ]);
+    expect(first.split('window').map(({ term }) => term)).toEqual([null]);
+  });
+
   it('finds Russian terms in each case, and no term within a longer word', () => {
     const found = new FirstTerms('ru').split('В списке активных рёбер; окнище.');
     expect(found.map(({ text }) => text)).toEqual(['В ', 'списке активных рёбер', '; окнище.']);

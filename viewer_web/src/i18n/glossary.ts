@@ -42,7 +42,11 @@ export class FirstTerms {
   private static readonly forms: Partial<Record<Language, RegExp>> = {};
   private readonly seen = new Set<Term>();
 
-  constructor(private readonly language: Language) {}
+  constructor(
+    private readonly language: Language,
+    /** Whether a word is a name that merely looks like a term. */
+    private readonly isName: (word: string) => boolean = () => false,
+  ) {}
 
   /** Forgets the terms seen so far, as at the start of a section. */
   forget(): void {
@@ -60,7 +64,7 @@ export class FirstTerms {
     for (const { 0: lower, index } of text.toLowerCase().matchAll(forms)) {
       const found = text.slice(index, index + lower.length);
       const term = termOf(found, language);
-      if (term === null || this.seen.has(term)) continue;
+      if (term === null || this.seen.has(term) || this.isName(found)) continue;
       this.seen.add(term);
       if (index > end) pieces.push({ text: text.slice(end, index), term: null });
       pieces.push({ text: found, term });

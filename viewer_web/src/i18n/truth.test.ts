@@ -91,8 +91,8 @@ describe('a sentence claims no more than the step', () => {
 
   it('about a ray: a method that counts each vertex twice does not say which vertices it meets', () => {
     const ray: Event = { e: 'ray', at: 'CR3', polygon: 'A', edge: 1, counts: 2 };
-    expect(saying(ray, 'corrected')[0]).toMatch(/touches it, which counts two/u);
-    expect(saying(ray, 'vertex-counted-twice')[0]).toMatch(/touched or pierced/u);
+    expect(saying(ray, 'corrected')[0]).toMatch(/touches it, which counts as two/u);
+    expect(saying(ray, 'vertex-counted-twice')[0]).toMatch(/touching or piercing/u);
   });
 
   it('about a box: one that touches the window’s side is inside, but not strictly', () => {
@@ -106,14 +106,14 @@ describe('a sentence claims no more than the step', () => {
   it('about a flag: the printed text may not draw what it finds below (X-H1)', () => {
     const below: Event = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 3, flag: -1 };
     expect(saying(below, 'corrected')).toEqual([
-      'Over column 3 the curve is on the lower horizon or below it, and visible (−1).',
-      'Над столбцом 3 кривая — на нижнем горизонте или ниже него: видна (−1).',
+      'Over column 3 the curve is visible (−1): it is on the lower horizon or below it.',
+      'Над столбцом 3 кривая видна (−1): она на нижнем горизонте или ниже него.',
     ]);
     expect(saying(below, 'printed')).toEqual([
       'Over column 3 the curve is on the lower horizon or below it (−1).',
       'Над столбцом 3 кривая — на нижнем горизонте или ниже него (−1).',
     ]);
-    expect(saying({ ...below, flag: 1 }, 'printed')[0]).toMatch(/and visible \(1\)\.$/u);
+    expect(saying({ ...below, flag: 1 }, 'printed')[0]).toMatch(/ visible \(1\): /u);
   });
 
   it('about a list: the level of windows does not say which polygons have left it', () => {

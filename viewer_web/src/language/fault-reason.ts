@@ -6,9 +6,9 @@ const russian: Readonly<Record<string, string>> = {
   'division by zero': 'деление на нуль',
   'more lists than the lines can divide the area into':
     'списков больше, чем частей, на которые прямые могут разделить область',
-  'more scanlines than any area has rows': 'строк сканирования больше, чем строк в любой области',
+  'more scanlines than any area has rows': 'строк развёртки больше, чем строк в любой области',
   'more steps than any area has columns': 'шагов больше, чем столбцов в любой области',
-  'outside the area': 'вне области',
+  'outside the area': 'выход за пределы области',
   'the last entry of AEL has no partner': 'последняя запись AEL осталась без пары',
   'the list of vertices is read past its end': 'чтение за концом списка вершин',
 };

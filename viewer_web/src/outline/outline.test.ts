@@ -197,7 +197,9 @@ describe("the lists of Weiler and Atherton's algorithm", () => {
 
   it('are those popped from the stack, each with its clip polygon', async () => {
     const popped = eventsIn(name).flatMap(([, event]) =>
-      event.e === 'pop_list' ? `list of ${event.count}, clip polygon ${event.clip}` : [],
+      event.e === 'pop_list'
+        ? `list of ${event.count} ${event.count === 1 ? 'piece' : 'pieces'}, clip polygon ${event.clip}`
+        : [],
     );
     const said = drawn(await outlineIn(name)).map((line) => line.trim().replace(/:.*/, ''));
     expect(said).toEqual(popped);
@@ -206,11 +208,11 @@ describe("the lists of Weiler and Atherton's algorithm", () => {
   it('are nested below a list whose inside parts are tried again, with the parts left outside', async () => {
     // By hand from the file: W is behind Q, so Q and W are put back at WA9. The part of W outside waits on the stack.
     expect(drawn(await outlineIn('wall.weiler-atherton.signs'))).toEqual([
-      'list of 3, clip polygon W: behind Q',
-      '  list of 2, clip polygon Q: visible',
-      '  list of 1, clip polygon W: visible',
-      'list of 2, clip polygon Q: visible',
-      'list of 1, clip polygon S: visible',
+      'list of 3 pieces, clip polygon W: behind Q',
+      '  list of 2 pieces, clip polygon Q: visible',
+      '  list of 1 piece, clip polygon W: visible',
+      'list of 2 pieces, clip polygon Q: visible',
+      'list of 1 piece, clip polygon S: visible',
     ]);
   });
 

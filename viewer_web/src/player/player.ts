@@ -251,10 +251,7 @@ export class PlayerElement extends StageElement {
               aria-atomic="true"
             >
               <span class="at">${view.event?.at ?? '·'}</span
-              ><span
-                >${withTerms(view.sentence, new FirstTerms(this.language))}
-                ${this.verdict(trace, view)}</span
-              >
+              ><span>${withTerms(view.sentence, termsIn(view))} ${this.verdict(trace, view)}</span>
             </p>
             ${this.presenter.corner(view)}
           </div>
@@ -405,6 +402,10 @@ export class PlayerElement extends StageElement {
     else super.steer(command);
   }
 }
+
+/** The terms of a sentence. A polygon may be named like one. */
+const termsIn = ({ language, header }: View): FirstTerms =>
+  new FirstTerms(language, (word) => header.scene.byId.has(word));
 
 declare global {
   interface HTMLElementTagNameMap {

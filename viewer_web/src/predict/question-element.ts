@@ -16,7 +16,7 @@ import type { Part } from './question.js';
 import { questionStyle } from './question.style.js';
 import { stepAgainst } from './reasons.js';
 import type { Reason } from './reasons.js';
-import { sayCell, sayEntry, sayIntro, sayRight, sayRightCell } from './say.js';
+import { sayAnswer, sayCell, sayEntry, sayIntro, sayRight, sayRightCell } from './say.js';
 import { isRightNumber, typedNumber } from './grade.js';
 import { answerOf, firstWrong, hintCost } from './sheet.js';
 import type { Wrong } from './sheet.js';
@@ -147,7 +147,7 @@ export class QuestionElement extends LitElement {
     const entry = (value: string): string =>
       form === 'table'
         ? sayRightCell(part, Number(value), view.language)
-        : sayEntry(part, value, view.language);
+        : sayAnswer(part, value, view.language);
     const said = hinted === null ? say.hintedNothing : say.hinted[form](entry(hinted));
     return html`<p class="hinted" role="status">${said}</p>`;
   }

@@ -89,6 +89,14 @@ export function sayEntry({ asks, options }: Part, value: string, language: Langu
     : words[of](value, language);
 }
 
+/** The same in a sentence: in the options a relation is a sign and a word, in an answer only the word. */
+export function sayAnswer(part: Part, value: string, language: Language): string {
+  const [, of] = parts[part.asks];
+  return of === 'relation'
+    ? texts[language].predict.relations[value as Relation]
+    : sayEntry(part, value, language);
+}
+
 /** The name of a cell of a table: its column and, if there are several, its row, from 1. */
 export function sayCell(part: Part, cell: number, language: Language): string {
   const { entry, columns: names } = texts[language].predict.table;
@@ -106,12 +114,8 @@ export const sayRightCell = (part: Part, cell: number, language: Language): stri
 /** The right answer to a part, in words. */
 export function sayRight(part: Part, language: Language): string {
   const { asks, right } = part;
-  const [form, of] = parts[asks];
-  // In the options the relation is a sign; in the answer it is a word.
-  const say = (value: string): string =>
-    of === 'relation'
-      ? texts[language].predict.relations[value as Relation]
-      : sayEntry(part, value, language);
+  const [form] = parts[asks];
+  const say = (value: string): string => sayAnswer(part, value, language);
   if (right.length === 0) return texts[language].predict.empty;
   if (form === 'table') return right.map((_, i) => sayRightCell(part, i, language)).join('; ');
   return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');

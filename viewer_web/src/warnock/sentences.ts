@@ -62,7 +62,7 @@ const sideOf: Bilingual<
     CR4: () => 'The centre of the window, where the ray begins,',
     OA4: (at, corner, words) =>
       `The ${corner === null ? `point ${words.point(at)}` : `${corner} corner`} of the window`,
-    BF1: () => 'The vertex after it',
+    BF1: () => 'The next vertex',
   },
   ru: {
     TF2: (at, corner, words) =>
@@ -199,7 +199,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     ru: ({ polygon }, { before }) => {
       const hidden = before.warnock?.covering ?? null;
       return hidden === null
-        ? `${polygon} где-то ближе: пока неизвестно, закрывает ли что-нибудь остальное.`
+        ? `${polygon} где-то ближе: пока неизвестно, закрывает ли один из многоугольников остальные.`
         : `${polygon} где-то ближе, и ${hidden} больше не закрывает всего.`;
     },
   },
@@ -244,7 +244,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     },
     ru: ({ count, hasSurround }, words) => {
       const one = words.after.warnock?.covering ?? 'один из них';
-      return `Учтено многоугольников в окне: ${count}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
+      return `Учтено многоугольников в окне: ${count}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один из них остальные'}.`;
     },
   },
   decide: {
@@ -285,12 +285,12 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
   color: {
     en: (event, words) => {
       const { polygons, background } = ownersOf(event, words.after, words.header);
-      const seen = polygons.join(' / ') || (background ? 'the background' : event.color);
+      const seen = polygons.join(' or ') || (background ? 'the background' : event.color);
       return `At ${words.point(event.point)} the viewer sees ${seen}.`;
     },
     ru: (event, words) => {
       const { polygons, background } = ownersOf(event, words.after, words.header);
-      const seen = polygons.join(' / ') || (background ? 'фон' : event.color);
+      const seen = polygons.join(' или ') || (background ? 'фон' : event.color);
       return `В точке ${words.point(event.point)} виден ${seen}.`;
     },
   },
@@ -317,7 +317,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     },
   },
   clip_begin: {
-    en: ({ polygon }) => `${polygon} is clipped by the window's four sides in turn.`,
+    en: ({ polygon }) => `${polygon} is clipped by the window’s four sides in turn.`,
     ru: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
   },
   clip_side: {
@@ -354,7 +354,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ vertex }, { point }) =>
       `The edge crosses the side at ${point(vertex.slice(0, 2))}: the crossing joins the new list.`,
     ru: ({ vertex }, { point }) =>
-      `Ребро пересекает сторону в ${point(vertex.slice(0, 2))}: точка входит в новый список.`,
+      `Ребро пересекает сторону в точке ${point(vertex.slice(0, 2))}: эта точка входит в новый список.`,
   },
   clip_keep: {
     en: ({ vertex }, { point }) => `The vertex ${point(vertex.slice(0, 2))} joins the new list.`,
@@ -402,7 +402,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, runs }, words) =>
       runs.length === 0
         ? `No pixel takes the colour of ${polygon}: no centre lies in this part of it.`
-        : `${words.takes(cells(runs))} the colour of ${polygon}, in ${words.counted(runs.length, rows.en)}.`,
+        : `${words.takes(cells(runs))} the colour of ${polygon} in ${words.counted(runs.length, rows.en)}.`,
     ru: ({ polygon, runs }, words) =>
       runs.length === 0
         ? `Ни один пиксель не получает цвет ${polygon}: в этой его части нет ни одного центра.`
@@ -423,7 +423,7 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, list, level }) =>
       `${polygon} was found to ${found.en[list]} a window of level ${level}, and this window is not part of that one: it goes back to the third list.`,
     ru: ({ polygon, list, level }) =>
-      `${polygon} признан ${found.ru[list]} в окне уровня ${level}, а это окно — не его часть: он возвращается в третий список.`,
+      `${polygon} признан ${found.ru[list]} для окна уровня ${level}, а это окно — не его часть: он возвращается в третий список.`,
   },
   join: {
     en: ({ polygon, list, level }) =>
@@ -472,11 +472,11 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
           : `Edge ${edge} passes to the left of where the ray begins: ${so}.`;
       }
       if (counts > 0 && header.edition === 'vertex-counted-twice') {
-        return `The beginning of edge ${edge} lies on the ray, which counts two here, touched or pierced: ${so}.`;
+        return `The beginning of edge ${edge} lies on the ray: touching or piercing, it counts as two here; ${so}.`;
       }
       const where = `The beginning of edge ${edge} lies on the ray, where the outline`;
-      if (counts === 2) return `${where} touches it, which counts two: ${so}.`;
-      if (counts === 1) return `${where} pierces it, which counts one: ${so}.`;
+      if (counts === 2) return `${where} touches it, which counts as two: ${so}.`;
+      if (counts === 1) return `${where} pierces it, which counts as one: ${so}.`;
       return `The beginning of edge ${edge} lies to the left of where the ray begins: ${so}.`;
     },
     ru: ({ at, edge, counts }, { after, header }) => {
@@ -489,9 +489,9 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
       if (counts > 0 && header.edition === 'vertex-counted-twice') {
         return `Начало ребра ${edge} лежит на луче: и касание, и протыкание здесь считаются за два: ${so}.`;
       }
-      const where = `Начало ребра ${edge} лежит на луче, контур там`;
-      if (counts === 2) return `${where} касается его, это считается за два: ${so}.`;
-      if (counts === 1) return `${where} протыкает его, это считается за одно: ${so}.`;
+      const where = `Начало ребра ${edge} лежит на луче. Контур там`;
+      if (counts === 2) return `${where} касается луча: это два пересечения, ${so}.`;
+      if (counts === 1) return `${where} протыкает луч: это одно пересечение, ${so}.`;
       return `Начало ребра ${edge} лежит левее начала луча: ${so}.`;
     },
   },
@@ -499,14 +499,14 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
     en: ({ polygon, count }, words) =>
       `The outline of ${polygon} crosses the ray ${words.counted(count, { one: 'time', other: 'times' })}: ${count % 2 === 1 ? 'odd, so it surrounds the window' : 'even, so it lies outside'}.`,
     ru: ({ polygon, count }, words) =>
-      `Контур ${polygon} пересекает луч ${words.counted(count, { one: 'раз', few: 'раза', other: 'раз' })}: ${count % 2 === 1 ? 'нечётно, он охватывает окно' : 'чётно, он лежит вне окна'}.`,
+      `Контур ${polygon} пересекает луч ${words.counted(count, { one: 'раз', few: 'раза', other: 'раз' })}: ${count % 2 === 1 ? 'число нечётное, поэтому он охватывает окно' : 'число чётное, поэтому он лежит вне окна'}.`,
   },
   octants: {
     en: ({ at, edge, from, to, difference }, { after, signed }) => {
       const way = `Edge ${edge} goes from octant ${from} to octant ${to}`;
       const sum = signed(containment(after.warnock));
       return at === 'OA4'
-        ? `${way}, the opposite one: split by a side of the window it turns by ${signed(difference)}; the sum is ${sum}.`
+        ? `${way}, the opposite one: split by a side of the window, it turns by ${signed(difference)}; the sum is ${sum}.`
         : `${way}: ${signed(difference)}; the sum is ${sum}.`;
     },
     ru: ({ at, edge, from, to, difference }, { after, signed }) => {
@@ -524,8 +524,8 @@ export const sentences: SentencesOf<keyof WarnockEvents | 'depth'> = {
         : `${polygon} runs around the window: the sum is ${signed(octants)} octants, so it surrounds the window.`,
     ru: ({ polygon, octants }, { signed }) =>
       octants === 0
-        ? `Повороты ${polygon} взаимно уничтожаются: сумма 0 октантов, он лежит вне окна.`
-        : `${polygon} обходит окно кругом: сумма ${signed(octants)} октантов, он охватывает окно.`,
+        ? `Повороты ${polygon} взаимно уничтожаются: сумма 0 октантов, поэтому он лежит вне окна.`
+        : `${polygon} обходит окно кругом: сумма ${signed(octants)} октантов, поэтому он охватывает окно.`,
   },
   hiding: {
     en: ({ polygon }) =>

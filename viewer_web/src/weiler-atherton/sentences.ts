@@ -20,14 +20,18 @@ const lies = {
   en: {
     inside: 'inside the clip region',
     outside: 'outside the clip region',
-    same_side: 'on the outline of the clip region, both regions on one side: it goes inside',
-    other_side: 'on the outline of the clip region, one region on each side: it goes outside',
+    same_side:
+      'on the outline of the clip region, with both regions on the same side: it counts as inside',
+    other_side:
+      'on the outline of the clip region, with one region on each side: it counts as outside',
   },
   ru: {
     inside: 'внутри отсекающей области',
     outside: 'снаружи отсекающей области',
-    same_side: 'на контуре отсекающей области, области по одну сторону: идёт внутрь',
-    other_side: 'на контуре отсекающей области, области по разные стороны: идёт наружу',
+    same_side:
+      'на контуре отсекающей области, обе области по одну сторону от него: считается внутренним',
+    other_side:
+      'на контуре отсекающей области, области по разные стороны от него: считается внешним',
   },
 };
 
@@ -68,9 +72,9 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
   },
   pierce: {
     en: ({ polygon, other, normal, point: at }, { point }) =>
-      `${polygon} and ${other} pierce each other: the line where their planes meet, through ${point(at)}, divides what they share. Towards ${point(normal)} ${polygon} is nearer.`,
+      `${polygon} and ${other} pierce each other: the line where their planes meet, through ${point(at)}, divides what they share. In the direction ${point(normal)}, ${polygon} is nearer.`,
     ru: ({ polygon, other, normal, point: at }, { point }) =>
-      `${polygon} и ${other} протыкают друг друга: прямая пересечения плоскостей, через ${point(at)}, делит их общую часть. В сторону ${point(normal)} ближе ${polygon}.`,
+      `${polygon} и ${other} протыкают друг друга: прямая пересечения их плоскостей, проходящая через ${point(at)}, делит их общую часть. По направлению ${point(normal)} от неё ближе ${polygon}.`,
   },
   split: {
     en: ({ polygon }) =>
@@ -106,27 +110,27 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
       const n = words.counted(all.length, pieces.en);
       if (at === 'WA3') return `The sorted list goes on the stack: ${ids}.`;
       if (at === 'WA6') {
-        return `What lies outside the clip polygon is handled separately: ${n} on the stack, ${ids}.`;
+        return `What lies outside the clip polygon is handled separately: a list of ${n} (${ids}) goes on the stack.`;
       }
       const last = all.at(-1)?.[0] ?? '';
-      return `The clip polygon ${last} is not the nearest here: what is nearer goes on the stack with ${last} as its ground, ${ids}.`;
+      return `The clip polygon ${last} is not the nearest here. What is nearer goes on the stack, and ${last} comes last, as its ground: ${ids}.`;
     },
     ru: ({ at, pieces: all }, words) => {
       const ids = words.ids(all.map(([id]) => id));
-      const n = words.counted(all.length, pieces.ru);
+      const n = words.counted(all.length, ofPieces);
       if (at === 'WA3') return `Отсортированный список кладётся в стек: ${ids}.`;
       if (at === 'WA6') {
-        return `То, что снаружи отсекающего многоугольника, рассматривается отдельно: в стеке ${n}, ${ids}.`;
+        return `То, что снаружи отсекающего многоугольника, рассматривается отдельно: в стек кладётся список из ${n} (${ids}).`;
       }
       const last = all.at(-1)?.[0] ?? '';
-      return `Отсекающий многоугольник ${last} здесь не ближайший: в стек кладётся то, что ближе, и ${last} как фон: ${ids}.`;
+      return `Отсекающий многоугольник ${last} здесь не ближайший. В стек кладётся то, что ближе, и последним, как фон, сам ${last}: ${ids}.`;
     },
   },
   pop_list: {
     en: ({ clip, count }, words) =>
       `The list of ${words.counted(count, pieces.en)} comes off the stack: its first, a piece of ${clip}, is the clip polygon.`,
     ru: ({ clip, count }, words) =>
-      `Из стека взят список из ${words.counted(count, ofPieces)}: первая из них, от ${clip}, — отсекающий многоугольник.`,
+      `Из стека взят список из ${words.counted(count, ofPieces)}: первая, от ${clip}, — отсекающий многоугольник.`,
   },
   beside: {
     en: ({ polygon }, words) => {
@@ -151,13 +155,13 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
         return `${polygon} and ${clip} have a region of ${sizeOf(inside, words)} in common.`;
       }
       if (outside.length === 0) return `All of this piece of ${polygon} lies inside ${clip}.`;
-      return `The outline of ${clip} cuts ${polygon} in two: inside ${sizeOf(inside, words)}, outside ${sizeOf(outside, words)}.`;
+      return `The outline of ${clip} cuts ${polygon} in two: ${sizeOf(inside, words)} inside; ${sizeOf(outside, words)} outside.`;
     },
     ru: ({ at, polygon, clip, inside, outside }, words) => {
       if (inside.length === 0) return `Внутри ${clip} нет ничего от ${polygon}.`;
       if (at === 'SP1') return `Общая область ${polygon} и ${clip}: ${sizeOf(inside, words)}.`;
       if (outside.length === 0) return `Вся эта часть ${polygon} лежит внутри ${clip}.`;
-      return `Контур ${clip} делит ${polygon} надвое: внутри ${sizeOf(inside, words)}, снаружи ${sizeOf(outside, words)}.`;
+      return `Контур ${clip} делит ${polygon} надвое: внутри ${sizeOf(inside, words)}; снаружи ${sizeOf(outside, words)}.`;
     },
   },
   edge_piece: {
@@ -177,7 +181,7 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
   behind: {
     en: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
       const [own, other] = shortApart(z, clipZ);
-      const where = `At ${point(at)}, the mean of its vertices, ${polygon} has depth ${own}, ${clip} ${other}`;
+      const where = `At ${point(at)}, the mean of its vertices, ${polygon} has depth ${own} and ${clip} has ${other}`;
       const is = orderOf(z, clipZ) === order ? '' : 'which counts as ';
       if (order === 0) {
         return behind
@@ -190,12 +194,12 @@ export const sentences: SentencesOf<keyof WeilerAthertonEvents | 'fault'> = {
     },
     ru: ({ polygon, clip, point: at, z, clipZ, order, behind }, { shortApart, point }) => {
       const [own, other] = shortApart(z, clipZ);
-      const where = `В точке ${point(at)}, среднем вершин, глубина ${polygon} равна ${own}, ${clip} — ${other}`;
+      const where = `В средней точке вершин ${point(at)} глубина ${polygon} равна ${own}, ${clip} — ${other}`;
       const is = orderOf(z, clipZ) === order ? '' : 'считается, что ';
       if (order === 0) {
         return behind
-          ? `${where}: ${is}столько же, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
-          : `${where}: ${is}столько же, и ${polygon} в сцене раньше, поэтому он ближе.`;
+          ? `${where}: ${is}глубины равны, и ${clip} в сцене раньше, поэтому ${polygon} сзади.`
+          : `${where}: ${is}глубины равны, и ${polygon} в сцене раньше, поэтому он ближе.`;
       }
       return behind
         ? `${where}: ${is}меньше, поэтому ${polygon} сзади, здесь и на всей части.`

@@ -100,8 +100,14 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
         : 'Между концами нет ни одного пикселя области: показывать нечего.',
   },
   slope: {
-    en: ({ dz }, { short }) => `From pixel to pixel z changes by ${short(dz)}.`,
-    ru: ({ dz }, { short }) => `От пикселя к пикселю z меняется на ${short(dz)}.`,
+    en: ({ dz }, { short }) =>
+      dz === 'nan'
+        ? 'The change of z from pixel to pixel is not a number.'
+        : `From pixel to pixel z changes by ${short(dz)}.`,
+    ru: ({ dz }, { short }) =>
+      dz === 'nan'
+        ? 'Изменение z от пикселя к пикселю — не число.'
+        : `От пикселя к пикселю z меняется на ${short(dz)}.`,
   },
   columns: {
     en: ({ first, end, z }, { columnsOf, short }) =>
@@ -145,7 +151,7 @@ export const sentences: SentencesOf<keyof ZBufferEvents> = {
     en: ({ row, runs }, words) =>
       cells(runs) === 0
         ? `No pixel of row ${words.short(row)} changes.`
-        : `${words.takes(cells(runs))} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${words.short(row)}.`,
+        : `${words.takes(cells(runs))} the colour of ${words.after.zbuffer?.polygon ?? ''} in row ${words.short(row)}.`,
     ru: ({ row, runs }, words) =>
       cells(runs) === 0
         ? `В строке ${words.short(row)} ничего не меняется.`

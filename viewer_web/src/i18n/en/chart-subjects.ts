@@ -11,11 +11,12 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. ${leastWrong} comes closest: it is wrong in ${share} of the pixels.`,
+        `Cheaper runs: ${count}, none of them right. ${leastWrong} comes closest: it is wrong in ${share} of the pixels.`,
       safe: 'It decides as exact arithmetic does, so it is right in every scene.',
       safer: (run, times) =>
-        `This run rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run}, at ${times} the cost.`,
-      others: (runs) => `The cheapest right runs of the other methods, compared with it: ${runs}.`,
+        `This run rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run} (cost: ${times}).`,
+      others: (runs) =>
+        `The cheapest correct runs of the other methods, compared with it: ${runs}.`,
       neverRight: (methods) => `Not right under any kernel: ${methods}.`,
     },
   },
@@ -30,11 +31,11 @@ export const subjects: ChartTexts['subjects'] = {
       cheapest: (run, cost, amount) =>
         `“${run}” is the cheapest of those that draw every column right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Cheaper runs: ${count}, all of them wrong. “${leastWrong}” comes closest: it is wrong in ${share} of the columns.`,
+        `Cheaper runs: ${count}, none of them right. “${leastWrong}” comes closest: it is wrong in ${share} of the columns.`,
       safe: 'It decides as exact arithmetic does, on every surface.',
       safer: (run, times) =>
-        `This run rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}”, at ${times} the cost.`,
-      others: (runs) => `The cheapest right runs with other samples, compared with it: ${runs}.`,
+        `This run rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides correctly is “${run}” (cost: ${times}).`,
+      others: (runs) => `The cheapest correct runs with other samples, compared with it: ${runs}.`,
       neverRight: (samplings) => `Not right under any kernel: ${samplings}.`,
     },
   },

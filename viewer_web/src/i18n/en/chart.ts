@@ -5,7 +5,7 @@ import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
 
 export const chart: ChartTexts = {
-  tagline: 'what a right picture costs',
+  tagline: 'what a correct picture costs',
   ownFile: 'Your own chart',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json',
@@ -58,7 +58,7 @@ export const chart: ChartTexts = {
   reading:
     'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; their series are spread out only to tell them apart.',
   missing: (kernels) => `Not shown because their numbers have no fixed width: ${kernels}.`,
-  rightPicture: (share) => `the right picture itself: ${share}`,
+  rightPicture: (share) => `the correct picture itself: ${share}`,
   plot: (cost, error) => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
   front: 'The front: no other run is both as cheap and as right',

@@ -32,7 +32,7 @@ export const curves: CurveTexts = {
     pixel: 'Column',
     at: (x) => `Column ${x}`,
     horizons: (upper, lower) =>
-      `upper horizon ${upper === null ? 'none' : short(upper)}, lower horizon ${lower === null ? 'none' : short(lower)}`,
+      `${upper === null ? 'no upper horizon' : `upper horizon ${short(upper)}`}, ${lower === null ? 'no lower horizon' : `lower horizon ${short(lower)}`}`,
     hint: (key) =>
       `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move by one column, with Shift by ten. Enter shows the history of the column. Escape leaves the picture.',

@@ -52,7 +52,7 @@ export const exact: ExactTexts = {
   findings: {
     title: 'Decisions worth looking at',
     count: (count) => (count === 1 ? '1 decision' : `${count} decisions`),
-    withNumbers: 'equal numbers, too',
+    withNumbers: 'include equal numbers',
     more: 'Show more',
     polygons: 'Polygons',
     columns: { step: 'Step', kind: 'Kind', ulps: 'Ulps from zero' },
@@ -68,7 +68,7 @@ export const exact: ExactTexts = {
       equal_numbers: 'equal numbers',
     },
     pixels: (off) => `${off} pixels`,
-    gap: (computed, exactly) => `Difference computed: ${computed}; exactly: ${exactly}`,
+    gap: (computed, exactly) => `Difference: computed ${computed}, exact ${exactly}`,
     decides: (pixels) => `Decides the pixels ${pixels}`,
   },
   margin: {
@@ -91,7 +91,7 @@ export const exact: ExactTexts = {
   drifted:
     'The map computes both depths from the planes. This run accumulated its depth along the row, so its answer differs.',
   cell: (x, y, computed, exactly) =>
-    `x ${ulps(x)}, y ${ulps(y)} ulp: ${computed}, exactly ${exactly}`,
+    `x ${ulps(x)}, y ${ulps(y)} ulp: computed ${computed}, exact ${exactly}`,
   signs: { '-1': 'negative', 0: 'zero', 1: 'positive' },
   yesNo: { '-1': 'no', 0: 'no', 1: 'yes' },
   pale: 'pale: right',

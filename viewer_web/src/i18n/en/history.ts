@@ -12,10 +12,10 @@ export const history: HistoryTexts = {
     return `Pixel (${x}, ${y}): ${[...painted, ...depths].join(', ')}`;
   },
   hint: (key) =>
-    `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,
+    `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that affected it and why it has its colour.`,
   how: 'Arrow keys move by one pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves the picture.',
   forget: 'Forget the pixel',
-  entries: 'Everything that concerned the pixel',
+  entries: 'Everything that affected the pixel',
   outcomes: { pass: 'yes', fail: 'no', paint: 'painted', wrong: 'wrong', note: '' },
   painted: (step) => `Last painted at step ${step}`,
   unpainted: 'Nothing painted it.',

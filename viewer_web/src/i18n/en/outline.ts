@@ -10,7 +10,8 @@ export const outline: OutlineTexts = {
   edges: { one: 'edge', other: 'edges' },
   spans: { one: 'span', other: 'spans' },
   polygons: { one: 'polygon', other: 'polygons' },
-  list: (pieces, clip) => `list of ${pieces}, clip polygon ${clip}`,
+  list: (pieces, clip) =>
+    `list of ${pieces} ${pieces === 1 ? 'piece' : 'pieces'}, clip polygon ${clip}`,
   visible: 'visible',
   inFront: (polygons) => `behind ${polygons}`,
   lines: { one: 'visible line', other: 'visible lines' },

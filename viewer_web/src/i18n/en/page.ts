@@ -10,7 +10,7 @@ export const page: PageTexts = {
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz',
   reading: (name) => `Reading ${name}…`,
-  growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
+  growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent}% of the file`,
   stopReading: 'Stop here',
   onTheWay: (step) => `On the way to step ${step}`,
   cancel: 'Cancel',
@@ -21,7 +21,7 @@ export const page: PageTexts = {
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} cannot be run: ${why}.`,
   refusedFor: (name) => `${name} cannot be run:`,
-  isChart: (name) => `${name} is a chart: the page of charts shows it, and vidno figure draws it.`,
+  isChart: (name) => `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
   shortened: {
     cut: (line) => `The file breaks off after line ${line}. Showing the run up to there.`,
     partial: () => 'The run reached its limit of events. Showing its beginning.',

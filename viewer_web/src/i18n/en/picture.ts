@@ -19,7 +19,7 @@ export const picture: PictureTexts = {
   exactly: 'the nearest polygon at the centre of each pixel',
   computing: 'Computing the exact picture…',
   ramp: 'The lighter, the nearer',
-  fromTo: (far, near) => `depths from ${far}, dark, to ${near}, light`,
+  fromTo: (far, near) => `depths from ${far} (dark) to ${near} (light)`,
   wrong: (n) => (n === 1 ? '1 pixel wrong so far' : `${n} pixels wrong so far`),
   lacking: (n) => `${n} not painted yet`,
 };

@@ -50,7 +50,7 @@ export const predict: PredictTexts = {
       `InitializePolygon: the plane a x + b y + c z + d = 0 of ${polygon}. Its c is ${short(c)}.`,
     facing: () => 'BackFaces: a face that looks away from the viewer does not take part.',
     split: ({ polygon, vertex, window }) =>
-      `VertexSplit: vertex ${vertex + 1} of ${polygon} lies in the window ${windowText(window)}. It is split at the nearest pixel boundaries, of two equally near ones the lesser, if one of them is inside.`,
+      `VertexSplit: vertex ${vertex + 1} of ${polygon} lies in the window ${windowText(window)}. The window is split at the pixel boundaries nearest to the vertex, provided that one of them is inside. If two boundaries are equally near, the lesser is taken.`,
     trial: ({ polygon, edge, window }) =>
       `TrialFunction: ${polygon} and the window ${windowText(window)}. f is positive on one side of an edge’s line and negative on the other; edge ${edge} is the first.`,
     depth: ({ polygon, point: at, plane }) =>
@@ -110,8 +110,8 @@ export const predict: PredictTexts = {
     away: 'Which of these faces look away?',
     boundaries: 'Which boundaries are these?',
     splits: 'Is the window split there?',
-    cornerSigns: 'Which signs has f for this edge at the corners of the window?',
-    meetsFirst: 'Which edge is the first that meets the window?',
+    cornerSigns: 'What is the sign of f for this edge at each corner of the window?',
+    meetsFirst: 'Which edge is the first to meet the window?',
     z: 'What is the depth?',
     bothDepths: 'What are the depths?',
     nearerThere: 'z against z′:',
@@ -134,7 +134,7 @@ export const predict: PredictTexts = {
     enter: 'Which edges enter it?',
     order: 'Which edges does it then have, from left to right?',
     entries: 'What do its entries hold then, from left to right?',
-    shown: 'At which of these columns is it seen?',
+    shown: 'In which of these columns is it seen?',
     lies: 'How does it lie?',
     test: 'Which line decides?',
     crossed: 'Which edges are counted?',
@@ -219,11 +219,11 @@ export const predict: PredictTexts = {
   overColumn: (column) => `over column ${column}`,
   inPicture: 'You can also choose in the picture.',
   hintFor: 'Hint',
-  hintCosts: (cost) => `Costs ${cost} of the point for this part`,
+  hintCosts: (cost) => `Takes ${cost} off the point for this part`,
   hinted: {
-    one: (entry) => `Hint: not ${entry}.`,
+    one: (entry) => `Hint: “${entry}” is wrong.`,
     some: (entry) => `Hint: ${entry} was wrong and is corrected.`,
-    row: (entry) => `Hint: right up to ${entry}.`,
+    row: (entry) => `Hint: the start is right; its last entry is ${entry}.`,
     table: (entry) => `Hint: ${entry}.`,
   },
   hintedNothing: 'Hint: nothing to correct.',
@@ -242,7 +242,7 @@ export const predict: PredictTexts = {
   because: 'Why',
   waits: (step) => `A question waits at step ${step}`,
   score: 'Score',
-  counted: (right, asked) => `${right} of ${asked} right at the first answer`,
+  counted: (right, asked) => `${right} of ${asked} right on the first try`,
   first: 'Only the first answer counts.',
   earlier: (answers) => `Answers from earlier visits: ${answers}.`,
   kept: (percent, left) =>

@@ -39,7 +39,7 @@ export const compare: CompareTexts = {
   searching: 'поиск…',
   otherMethods: 'с начала: методы разные',
   differ: 'Пикселей разного цвета',
-  differColumns: 'Столбцы, которые различаются',
+  differColumns: 'Различающихся столбцов',
   differNow: (n) => `сейчас ${n}`,
   differAtEnd: (n) => `в конце ${n}`,
   otherArea: 'области разные',

@@ -17,7 +17,7 @@ export const curves: CurveTexts = {
     above: '1, выше',
     below: '−1, ниже',
     hidden: '0, скрыта',
-    both: '2, обе',
+    both: '2, выше и ниже',
   },
   layers: {
     lines: 'линии',
@@ -51,7 +51,7 @@ export const curves: CurveTexts = {
     language:
       'x, z, pi; + − * / ^, сравнения, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
     sampled: (curves, samples) =>
-      `Кривых ${curves}, отсчётов ${samples}, заданы числами. Сдвинутые отсчёты заменяют функцию.`,
+      `Кривых: ${curves}, отсчётов: ${samples}; они заданы числами. Сдвинутые отсчёты заменяют функцию.`,
     give: 'Задать функцию',
     ends: { x: ['x слева', 'x справа'], z: ['z вблизи', 'z вдали'] },
     curves: 'кривых',

@@ -60,7 +60,7 @@ export const exact: ExactTexts = {
   findings: {
     title: 'Решения, на которые стоит взглянуть',
     count: (count) => `Решений: ${count}`,
-    withNumbers: 'и равные числа',
+    withNumbers: 'включая равные числа',
     more: 'Показать ещё',
     polygons: 'Много\u00ADугольники',
     columns: { step: 'Шаг', kind: 'Вид', ulps: 'До нуля, ulp' },
@@ -76,7 +76,7 @@ export const exact: ExactTexts = {
       equal_numbers: 'равные числа',
     },
     pixels: (off) => `${off} пикс.`,
-    gap: (computed, exactly) => `Разность вычислена: ${computed}; точно: ${exactly}`,
+    gap: (computed, exactly) => `Разность: вычисленная ${computed}, точная ${exactly}`,
     decides: (pixels) => `Определяет пиксели ${pixels}`,
   },
   margin: {
@@ -95,11 +95,11 @@ export const exact: ExactTexts = {
     'Карты этого решения нет: она есть у знака и у сравнения глубин двух многоугольников, но не для всех чисел.',
   drawing: 'Вычисляется для каждого соседнего числа…',
   wrongPlaces: (wrong, all) =>
-    wrong === 0 ? `Верно во всех ${all} местах.` : `Неверно в ${wrong} из ${all} мест.`,
+    wrong === 0 ? `Неверных мест нет: проверено ${all}.` : `Неверных мест: ${wrong} из ${all}.`,
   drifted:
     'На карте обе глубины вычислены по плоскостям. В прогоне ответ другой: глубина накоплена сложением вдоль строки.',
   cell: (x, y, computed, exactly) =>
-    `x ${ulps(x)}, y ${ulps(y)} ulp: ${computed}, точно ${exactly}`,
+    `x ${ulps(x)}, y ${ulps(y)} ulp: вычислено ${computed}; точный ответ: ${exactly}`,
   signs: { '-1': 'минус', 0: 'нуль', 1: 'плюс' },
   yesNo: { '-1': 'нет', 0: 'нет', 1: 'да' },
   pale: 'бледное — верно',

@@ -19,7 +19,7 @@ export const picture: PictureTexts = {
   exactly: 'ближайший в центре пикселя',
   computing: 'Вычисляется…',
   ramp: 'Чем светлее, тем ближе',
-  fromTo: (far, near) => `глубины от ${far}, тёмные, до ${near}, светлые`,
+  fromTo: (far, near) => `глубины от ${far} (тёмные) до ${near} (светлые)`,
   wrong: (n) => `неверных: ${n}`,
   lacking: (n) => `ещё не закрашено: ${n}`,
 };

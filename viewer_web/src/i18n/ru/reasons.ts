@@ -35,7 +35,8 @@ export const reasons: ReasonTexts = {
   noEvent: (name, method) => `у метода ${method} нет события ${name}`,
   tooDetailed: (name, detail) => `на уровне ${detail} нет события ${name}`,
   afterEnd: () => 'строка после конца трассы',
-  eventCount: (said, found) => `в последней строке событий ${said}, на самом деле ${found}`,
+  eventCount: (said, found) =>
+    `в последней строке указано событий: ${said}, на самом деле их ${found}`,
   notUtf8: () => 'текст не в кодировке UTF-8',
   longLine: () => 'строка слишком длинная',
   notGzip: () => 'архив gzip повреждён',

@@ -16,7 +16,7 @@ export const floatingHorizonFacts: Facts<keyof FloatingHorizonEvents> = {
     says:
       hasDefect(edition, 'x-h1') && flag === -1
         ? [said(/below it \(−1\)\.$/u, /ниже него \(−1\)\.$/u)]
-        : answered(flag === 0, said(/hidden/u, /не видна/u), said(/visible/u, /: видна/u)),
+        : answered(flag === 0, said(/hidden/u, /не видна/u), said(/visible/u, /[^е] видна/u)),
   }),
   intersection: ({ point, columns: [left, right] }) =>
     only(...point, left, ...(left === right ? [] : [right])),

@@ -61,8 +61,8 @@ export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row
       {
         inside: said(/lies inside/u, /внутри отсекающей/u),
         outside: said(/lies outside/u, /снаружи отсекающей/u),
-        same_side: said(/goes inside/u, /идёт внутрь/u),
-        other_side: said(/goes outside/u, /идёт наружу/u),
+        same_side: said(/counts as inside/u, /считается внутренним/u),
+        other_side: said(/counts as outside/u, /считается внешним/u),
       }[lies],
     ],
   }),
@@ -75,7 +75,7 @@ export const weilerAthertonFacts: Facts<Exclude<keyof WeilerAthertonEvents, 'row
       ...answered(behind, said(/is behind/u, /сзади/u), said(/is nearer/u, /ближе/u)),
       {
         '-1': said(/ less, so/u, / меньше, поэтому/u),
-        0: said(/ equal, and/u, / столько же, и/u),
+        0: said(/ equal, and/u, / глубины равны, и/u),
         1: said(/ greater, so/u, / больше, поэтому/u),
       }[order],
       ...countsIfOther(order, z, clipZ),
