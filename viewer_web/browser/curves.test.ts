@@ -46,7 +46,9 @@ describe('a run of curves', () => {
     await goTo(page, stepOf(/"visibility","at":"FH5".*"flag":0/));
     expect(await shown(page)).toMatchObject({
       line: 'FH5',
-      sentence: expect.stringContaining('strictly between the horizons, and hidden (0)') as string,
+      sentence: expect.stringContaining(
+        'hidden (0): it is strictly between the horizons',
+      ) as string,
     });
     expect(await page.locator('vidno-horizon dl').first().innerText()).toContain('0, hidden');
     await page.getByRole('button', { name: 'C++' }).click();

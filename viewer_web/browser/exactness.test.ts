@@ -113,7 +113,9 @@ describe('the lens', () => {
     await page.locator('h1').click();
     await page.keyboard.press('x');
     const read = page.locator('vidno-lens p');
-    await expect.poll(() => read.textContent()).toBe('x 0, y 0 ulp: negative, exactly positive');
+    await expect
+      .poll(() => read.textContent())
+      .toBe('x 0, y 0 ulp: computed negative, exact positive');
     await page.locator('vidno-lens canvas').focus();
     await page.keyboard.press('ArrowLeft');
     await page.keyboard.press('ArrowDown');
@@ -141,7 +143,7 @@ describe('the lens', () => {
       await expect
         .poll(() => page.locator('vidno-lens p').textContent())
         .toBe(
-          `x 0, y 0 ulp: ${signs[event.sign + 1] ?? ''}, exactly ${signs[event.exact + 1] ?? ''}`,
+          `x 0, y 0 ulp: computed ${signs[event.sign + 1] ?? ''}, exact ${signs[event.exact + 1] ?? ''}`,
         );
     }
   });
@@ -168,8 +170,8 @@ describe('the lens', () => {
     await page.keyboard.press('x');
     await expect
       .poll(() => page.locator('vidno-lens p').textContent())
-      .toBe('x 0, y 0 ulp: нет, точно да');
-    await panel(page, '.hint').getByText('Неверно в').waitFor();
+      .toBe('x 0, y 0 ulp: вычислено нет; точный ответ: да');
+    await panel(page, '.hint').getByText('Неверных мест:').waitFor();
   });
 
   it('does not exist on a grid, or for a decision that is not about a point', async () => {

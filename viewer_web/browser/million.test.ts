@@ -127,7 +127,7 @@ describe('a trace of a million events', () => {
     for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
     expect((await shown(page)).step).toBe(3);
     expect(await page.locator('vidno-notice .growing').textContent()).toMatch(
-      /^Reading: [\d,]+ steps so far, \d+ % of the file$/,
+      /^Reading: [\d,]+ steps so far, \d+% of the file$/,
     );
     await whole(page);
     const { step, length } = await shown(page);

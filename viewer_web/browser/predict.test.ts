@@ -40,7 +40,7 @@ describe('a reader who predicts freely', () => {
     await form.getByRole('button', { name: 'Give up' }).click();
     expect((await verdict(page)).at(-1)).toBe('Given up.');
     expect(await page.locator('vidno-predict .score b').first().textContent()).toBe(
-      '0 of 2 right at the first answer',
+      '0 of 2 right on the first try',
     );
     await page.getByRole('textbox', { name: 'Your name' }).fill('Ada');
     expect(await savedScore(page)).toMatchObject({

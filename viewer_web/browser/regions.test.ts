@@ -31,7 +31,9 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
     // A has depth 1/4 everywhere, C has (x - 7) / 8, which is 1/2 at x = 11.
     expect(await shown(page)).toMatchObject({
       line: 'RB3',
-      sentence: expect.stringContaining('A has depth 1/4, C 1/2: less, so A is behind') as string,
+      sentence: expect.stringContaining(
+        'A has depth 1/4 and C has 1/2: less, so A is behind',
+      ) as string,
     });
     await page.getByRole('button', { name: 'C++' }).click();
     expect(await page.locator('vidno-cpp').getByText('run.trace.behind(RB3').count()).toBe(1);

@@ -247,7 +247,7 @@ describe.runIf(existsSync(lesson))('a package in a learning management system', 
   it('reports nothing to a system of another origin, which does not let it in, and works', async () => {
     const { page, frame, faults } = await visit({}, 'localhost');
     await answerFirst(page, frame);
-    await frame.getByText('1 of 1 right at the first answer').waitFor();
+    await frame.getByText('1 of 1 right on the first try').waitFor();
     expect(await frame.locator('vidno-predict .kept').count()).toBe(0);
     const isInitialized = await page.evaluate(() =>
       (window as unknown as Shown).API.isInitialized(),
@@ -261,7 +261,7 @@ describe.runIf(existsSync(lesson))('a package in a learning management system', 
     await page.goto(`http://127.0.0.1:${port}/lesson/index.html#lang=en`);
     await page.locator('vidno-player .sentence').waitFor();
     await answerFirst(page, page.mainFrame());
-    await page.getByText('1 of 1 right at the first answer').waitFor();
+    await page.getByText('1 of 1 right on the first try').waitFor();
     expect(await page.locator('vidno-predict .kept').count()).toBe(0);
   });
 });

@@ -87,7 +87,7 @@ describe('the controls go to the next', () => {
     await opened(page, 'checked.jsonl', text);
     await page.locator('vidno-travel select').selectOption('wrong');
     expect(await click(page, 'The next one')).toBe(37);
-    expect((await shown(page)).sentence).toContain('Wrong');
+    expect((await shown(page)).sentence).toContain('Decided wrongly');
     await page.keyboard.press('End');
     expect(await press(page, ',')).toBe(37);
   });

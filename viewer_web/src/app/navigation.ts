@@ -10,7 +10,7 @@ import { Trail, isJump } from './trail.js';
 /** A place in a trace of the reader's own. */
 export type PlaceInFile = Pick<Place, 'step' | 'pixel'>;
 
-/** What the browser's history keeps beside an address, which cannot tell it. */
+/** What the browser's history keeps beside an address that cannot hold it. */
 type Kept =
   /** The number of an opened file. */
   | (PlaceInFile & { readonly file: number })

@@ -5,7 +5,7 @@ import { Fraction, half } from './fraction.js';
 
 /**
  * A decision line by line, as in a calculation by hand: the formula of FORMAT.md, the substituted numbers, and the result.
- * It has mathematical notation only, the same in every language.
+ * It is mathematical notation with the trace's names of the operands, the same in every language.
  */
 export type Lines = readonly string[];
 

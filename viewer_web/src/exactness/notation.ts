@@ -2,10 +2,10 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 
 /**
- * Numbers or a calculation with the operands of a trace, in the notation of the panel: the listing's symbols, and words of
- * the language. `other` is the symbol of the depth that z is compared with.
+ * A calculation in which the operands have the listing's symbols, or words of the language, instead of the trace's names.
+ * `other` is the symbol of the depth that z is compared with.
  */
-export function inNotation(text: string, language: Language, other = 'z₀'): string {
+export function inNotation(line: string, language: Language, other = 'z₀'): string {
   const { upper, lower } = texts[language].curves;
   const names: Readonly<Record<string, string>> = {
     against: other,
@@ -14,7 +14,7 @@ export function inNotation(text: string, language: Language, other = 'z₀'): st
     upper,
     lower,
   };
-  return text.replace(/\b(?:against|left|right|upper|lower)\b/gu, (name) => names[name] ?? name);
+  return line.replace(/\b(?:against|left|right|upper|lower)\b/gu, (name) => names[name] ?? name);
 }
 
 /** A number of a trace, whole ones without a denominator. */

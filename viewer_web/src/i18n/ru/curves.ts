@@ -17,7 +17,7 @@ export const curves: CurveTexts = {
     above: '1, выше',
     below: '−1, ниже',
     hidden: '0, скрыта',
-    both: '2, выше и ниже',
+    both: '2, оба',
   },
   layers: {
     lines: 'линии',
