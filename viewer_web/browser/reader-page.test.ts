@@ -194,19 +194,38 @@ describe('beside the text', () => {
   });
 });
 
+/** The size of the area, which begins at the origin. */
+const areaOf = (page: Page): Promise<{ readonly width: number; readonly height: number }> =>
+  page.locator('vidno-player').evaluate((player) => {
+    const { trace } = player as HTMLElementTagNameMap['vidno-player'];
+    return trace?.header.scene.area ?? { width: NaN, height: NaN };
+  });
+
 describe('on a phone', () => {
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
 
-  it('a touched pixel is described above the picture beside the text', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&step=999', phone);
+  it.each([
+    [390, 844],
+    [360, 640],
+    [844, 390],
+    [820, 1180],
+  ])('a touched pixel is described below the picture, at %s x %s px', async (width, height) => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&step=999', {
+      viewport: { width, height },
+      hasTouch: true,
+    });
     const picture = page.locator('vidno-picture');
     const readout = page.locator('vidno-readout');
     await picture.locator('svg').first().tap();
     await expect
       .poll(async () => (await readout.locator('span').allInnerTexts()).join(' '))
       .toMatch(/^\(\d+, \d+\) .*#[0-9a-f]{6}$/);
-    const [box, frame] = [await readout.boundingBox(), await picture.boundingBox()];
-    expect(box?.y).toBeGreaterThanOrEqual(frame?.y ?? Infinity);
+    const [box, panel] = [await readout.boundingBox(), await picture.boundingBox()];
+    const { y: end } = await spotOf(page, 0, (await areaOf(page)).height);
+    expect(box?.y).toBeGreaterThanOrEqual(end);
+    expect((box?.y ?? NaN) + (box?.height ?? NaN)).toBeLessThanOrEqual(
+      (panel?.y ?? NaN) + (panel?.height ?? NaN),
+    );
     expect(faults).toEqual([]);
   });
 
@@ -236,11 +255,8 @@ describe('on a phone', () => {
       expect((box?.x ?? NaN) + (box?.width ?? NaN), part).toBeLessThanOrEqual(390);
       expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThanOrEqual(844);
     }
-    const { x, width } = await page.locator('vidno-player').evaluate((player) => {
-      const { trace } = player as HTMLElementTagNameMap['vidno-player'];
-      return trace?.header.scene.area ?? { x: NaN, width: NaN };
-    });
-    const [left, right] = [await spotOf(page, x, 0), await spotOf(page, x + width, 0)];
+    const { width } = await areaOf(page);
+    const [left, right] = [await spotOf(page, 0, 0), await spotOf(page, width, 0)];
     expect(right.x - left.x).toBeGreaterThanOrEqual(0.9 * 390);
     expect(faults).toEqual([]);
   });

@@ -7,6 +7,7 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import { whyRefused } from '../run/refusal.js';
+import { reachesOut } from '../run/sketch.js';
 import { ask } from './act.js';
 import type { Act } from './editor.js';
 import { FormElement } from './form.js';
@@ -114,6 +115,9 @@ export class ScenePanelElement extends FormElement {
     const { say, editing } = this;
     if (link !== null) return link === 'copied' ? say.linkCopied : say.pageSaved;
     if (editing.drawn !== null) return say.drawing;
-    return messages === '' ? showsOfEdited(editing).how(texts[this.language]) : messages;
+    if (messages !== '') return messages;
+    return reachesOut(editing.sketch)
+      ? say.howOutside
+      : showsOfEdited(editing).how(texts[this.language]);
   }
 }

@@ -6,6 +6,8 @@ export interface SceneTexts {
   readonly scene: string;
   readonly edit: string;
   readonly how: string;
+  /** The same where some vertices lie outside the picture. */
+  readonly howOutside: string;
   readonly run: string;
   readonly method: string;
   readonly kernel: string;

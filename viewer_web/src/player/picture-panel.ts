@@ -71,11 +71,11 @@ export class PicturePanelElement extends LitElement {
           padding-left: 0.6rem;
         }
       }
-      /* Beside the text of a lesson there is no line for the readout: it lies in the picture's upper margin. */
+      /* Beside the text of a lesson there is no line for the readout: it lies in the picture's lower margin. */
       @media (max-width: 899px) {
         vidno-readout {
           position: var(--readout-position, static);
-          inset: 0 4rem auto 0;
+          inset: auto 6rem 0 0;
         }
       }
       .switches,

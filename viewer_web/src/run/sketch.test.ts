@@ -148,6 +148,31 @@ describe('polygons', () => {
   });
 });
 
+describe('a sketch reaches out of its area', () => {
+  it.each([
+    [4, 4, false],
+    [4.5, 4, true],
+    [0, -0.5, true],
+    [-1, 0, true],
+    [2, 5, true],
+  ])('with a vertex at (%d, %d): %s', (x, y, reaches) => {
+    const drawn = sketch.resize(
+      drawing([
+        [0, 0, 0],
+        [4, 0, 0],
+        [x, y, 0],
+      ]),
+      {
+        x: 0,
+        y: 0,
+        width: 4,
+        height: 4,
+      },
+    );
+    expect(sketch.reachesOut(drawn)).toBe(reaches);
+  });
+});
+
 describe('the file of a scene', () => {
   const drawn = { ...drawing(square, triangle), name: 'Two "polygons"' };
   const header = (scene: unknown): unknown => ({

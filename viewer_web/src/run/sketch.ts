@@ -138,6 +138,14 @@ export function recolor(sketch: Sketch, polygon: number, color: string): Sketch 
   return withPolygon(sketch, polygon, (old) => ({ ...old, color }));
 }
 
+/** Whether a vertex lies outside the area. */
+export const reachesOut = ({ area, polygons }: Sketch): boolean =>
+  polygons.some(({ vertices }) =>
+    vertices.some(
+      ([x, y]) => x < area.x || x > area.x + area.width || y < area.y || y > area.y + area.height,
+    ),
+  );
+
 /** Whether a polygon may have this name. */
 export const isFree = ({ polygons }: Sketch, polygon: number, id: string): boolean =>
   id !== '' && polygons.every((each, i) => i === polygon || each.id !== id);

@@ -4,6 +4,8 @@ import { short, withoutDoubledSigns } from '../../language/words.js';
 export const scene: SceneTexts = {
   scene: 'Scene',
   edit: 'Edit',
+  howOutside:
+    'Drag a vertex, or an edge to move the whole polygon. Some vertices lie outside the picture: zoom out to see them.',
   how: 'Drag a vertex to move it, or an edge to move the whole polygon. Keys move, raise, add and remove vertices: see “Keys”.',
   run: 'Run',
   method: 'method',
