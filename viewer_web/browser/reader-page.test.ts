@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { readingLine } from '../src/reader/reading-line.js';
+import type { Area } from '../src/trace/header.js';
 import { browser, settled } from './browser.js';
 import { spotOf } from './live.js';
 import { openContents, shown, whole } from './page.js';
@@ -194,11 +195,11 @@ describe('beside the text', () => {
   });
 });
 
-/** The size of the area, which begins at the origin. */
-const areaOf = (page: Page): Promise<{ readonly width: number; readonly height: number }> =>
+const areaOf = (page: Page): Promise<Area> =>
   page.locator('vidno-player').evaluate((player) => {
     const { trace } = player as HTMLElementTagNameMap['vidno-player'];
-    return trace?.header.scene.area ?? { width: NaN, height: NaN };
+    if (!trace) throw new Error('no trace');
+    return trace.header.scene.area;
   });
 
 describe('on a phone', () => {
@@ -210,7 +211,7 @@ describe('on a phone', () => {
     [844, 390],
     [820, 1180],
   ])('a touched pixel is described below the picture, at %s x %s px', async (width, height) => {
-    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&step=999', {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&step=1545', {
       viewport: { width, height },
       hasTouch: true,
     });
@@ -221,7 +222,8 @@ describe('on a phone', () => {
       .poll(async () => (await readout.locator('span').allInnerTexts()).join(' '))
       .toMatch(/^\(\d+, \d+\) .*#[0-9a-f]{6}$/);
     const [box, panel] = [await readout.boundingBox(), await picture.boundingBox()];
-    const { y: end } = await spotOf(page, 0, (await areaOf(page)).height);
+    const { x, y, height: rows } = await areaOf(page);
+    const { y: end } = await spotOf(page, x, y + rows);
     expect(box?.y).toBeGreaterThanOrEqual(end);
     expect((box?.y ?? NaN) + (box?.height ?? NaN)).toBeLessThanOrEqual(
       (panel?.y ?? NaN) + (panel?.height ?? NaN),
@@ -255,8 +257,8 @@ describe('on a phone', () => {
       expect((box?.x ?? NaN) + (box?.width ?? NaN), part).toBeLessThanOrEqual(390);
       expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThanOrEqual(844);
     }
-    const { width } = await areaOf(page);
-    const [left, right] = [await spotOf(page, 0, 0), await spotOf(page, width, 0)];
+    const { x, y, width } = await areaOf(page);
+    const [left, right] = [await spotOf(page, x, y), await spotOf(page, x + width, y)];
     expect(right.x - left.x).toBeGreaterThanOrEqual(0.9 * 390);
     expect(faults).toEqual([]);
   });
