@@ -42,7 +42,7 @@ other samples), and the place where the failure is visible. \`tests/check/failur
 counts the events of a trace of level \`signs\` up to the first wrong decision or the first visibly wrong step. \`table.mjs\` writes
 these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
-    wrong: ({ of, taken, exact }) => `${decisions.en[of]}: ${answer(taken, english)}, exactly ${answer(exact, english)}`,
+    wrong: ({ of, taken, exact }) => `${decisions.en[of]}: computed ${answer(taken, english)}, exact ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
     fault: (reason) => reason,
     endless: () => 'it does not end by itself',
@@ -62,7 +62,7 @@ these tables.`,
 запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
 \`table.mjs\`.`,
     head: ['ошибка', 'причина', 'прогон', 'шаг', 'что на нём видно', 'исправление'],
-    wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: ${answer(taken, russian)}, точно ${answer(exact, russian)}`,
+    wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: вычислено ${answer(taken, russian)}, точный ответ — ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
     fault: (reason) => faults[reason] ?? reason,
     endless: () => 'сам не завершается',

@@ -147,7 +147,7 @@ TEST_CASE("Atlas: options on the command line take precedence") {
     const std::string entry = atlas + "clip-pixel.json";
     const auto fails = program("check " + entry), holds = program("check " + entry + " --kernel filtered");
     CHECK(fails.status == 1);
-    CHECK(fails.text.find("step 74: the columns: 15, exactly 14 to 15") != std::string::npos);
+    CHECK(fails.text.find("step 74: the columns: computed 15, exact 14 to 15") != std::string::npos);
     CHECK(holds.status == 0);
     CHECK_MESSAGE(holds.text.find("step 74: the columns") == std::string::npos,
                   "that is the step of the run that fails");
@@ -159,7 +159,7 @@ TEST_CASE("Atlas: map shows the orientation at which an entry goes wrong, and re
     CHECK(mapped.text.find("orientation under double\n") != std::string::npos);
     const auto refused = program("map " + atlas + "clip-pixel.json");
     CHECK(refused.status == 2);
-    CHECK(refused.text.find("this is another failure: the columns: 15, exactly 14 to 15") != std::string::npos);
+    CHECK(refused.text.find("this is another failure: the columns: computed 15, exact 14 to 15") != std::string::npos);
 }
 
 TEST_CASE("Atlas: an entry that no scene can show is refused with the name of its test") {

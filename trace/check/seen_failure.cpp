@@ -92,10 +92,10 @@ std::optional<SeenFailure> first_wrong(const Failure& failure) {
         return std::visit([](const auto& each) { return words_of(each); }, answer);
     };
     const Words taken = words(wrong->taken), exact = words(*wrong->truth.answer);
-    constexpr Bilingual exactly{", exactly ", ", точно "};
+    constexpr Bilingual computed{": computed ", ": вычислено "}, exactly{", exact ", ", точный ответ — "};
     const auto there = in_each_language([&](Language language) {
-        return std::string(decision_words[std::size_t(wrong->of)].in(language)) + ": " + taken.in(language) +
-               std::string(exactly.in(language)) + exact.in(language);
+        return std::string(decision_words[std::size_t(wrong->of)].in(language)) + std::string(computed.in(language)) +
+               taken.in(language) + std::string(exactly.in(language)) + exact.in(language);
     });
     return SeenFailure{step, there, told};
 }

@@ -240,7 +240,7 @@ describe('a failure file of the reader’s own', () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(page, 'own.json', text('clip-pixel.json'));
     await page
-      .locator('vidno-failure-note .there', { hasText: 'the columns: 15, exactly 14 to 15' })
+      .locator('vidno-failure-note .there', { hasText: 'the columns: computed 15, exact 14 to 15' })
       .waitFor();
     expect((await shown(page)).step).toBe(74);
     expect(faults).toEqual([]);
