@@ -117,6 +117,37 @@ describe('a broken line of the listing', () => {
     expect(faults).toEqual([]);
   });
 
+  it('is undone by Back, step by step', async () => {
+    const { page, faults } = await openRun(`${warnock}&step=7`);
+    await settled(page);
+    await breakLine(page, 'D1', 'depth-sign-reversed');
+    await expect.poll(async () => (await stepsOf(page))[0]).toBeGreaterThan(7);
+    const found = await stepsOf(page);
+    await settled(page);
+    await page.getByRole('button', { name: 'Smallest scene that shows it' }).click();
+    await expect.poll(() => result(page)).toBe('Pixels that change: 1 of 1.');
+    await expect.poll(() => sentences(page)).toEqual(['PW5', 'PW5']);
+    const seen = await stepsOf(page);
+    await settled(page);
+    await page.keyboard.press('End');
+    await settled(page);
+
+    await page.goBack();
+    await expect.poll(() => stepsOf(page)).toEqual(seen);
+    await settled(page);
+    await page.goBack();
+    await expect.poll(() => result(page)).toMatch(/^Pixels that change: \d+ of 256\.$/u);
+    expect(await stepsOf(page)).toEqual(found);
+    await settled(page);
+    await page.goBack();
+    await page.locator('vidno-comparison').waitFor({ state: 'detached' });
+    expect((await shown(page)).step).toBe(7);
+    await settled(page);
+    await page.goForward();
+    await expect.poll(() => stepsOf(page)).toEqual(found);
+    expect(faults).toEqual([]);
+  });
+
   it('has both pictures and sentences in sight, also on a projector', async () => {
     const { page, faults } = await openRun(warnock);
     await breakLine(page, 'D1', 'depth-sign-reversed');

@@ -56,6 +56,20 @@ describe('the right answer', () => {
     expect(await violations(page)).toEqual([]);
   });
 
+  it.each([
+    ['printed', 'But this is not the corrected text'],
+    ['corrected', 'Checked: every decision of this run is right.'],
+  ])('does not make a text right that is not the corrected one: %s', async (edition, words) => {
+    const { page, faults } = await open(
+      browser,
+      `#lang=en&view=workbench&trace=09-usual-mistakes.warnock.double.${edition}.signs`,
+    );
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await page.keyboard.press('x');
+    await panel(page, '.checked').getByText(words).waitFor();
+    expect(faults).toEqual([]);
+  });
+
   it('is not taken from the kernel’s name alone in a file of the reader’s own', async () => {
     // A run in doubles that claims to be exact.
     const claimed = sampleTrace('small.zbuffer.signs').replace(

@@ -2,8 +2,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { title } from './live.js';
-import { goTo, open, opened, shown, small, widthOf } from './page.js';
+import { rerun, scene, square, title, triangle } from './live.js';
+import { goTo, open, openFile, opened, shown, small, widthOf } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 import { see } from './views.js';
 
@@ -101,6 +101,18 @@ describe('the first screen', () => {
     await page.getByRole('button', { name: 'Play from the start' }).click();
     await expect.poll(async () => (await shown(page)).step).toBeLessThan(length);
     expect(await page.locator('.verdict').count()).toBe(0);
+    expect(faults).toEqual([]);
+  });
+
+  it('claims no more than colours where two polygons have the same', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const alike = scene([triangle, { ...square, color: triangle.color }]);
+    await rerun(page, () => openFile(page, 'alike.json', alike));
+    await page.locator(title).click();
+    await page.keyboard.press('End');
+    await expect
+      .poll(() => page.locator('.verdict').textContent())
+      .toMatch(/^64 pixels, all colours as in exact arithmetic; \d+ windows\.$/);
     expect(faults).toEqual([]);
   });
 

@@ -406,7 +406,10 @@ export class AppElement extends LitElement implements Shown, Told {
         .lessons=${this.lessons}
         .options=${live.editing?.options ?? null}
         .earlier=${session.earlier}
-        @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
+        @with=${({ detail }: CustomEvent<With>) => {
+          this.ways.leave();
+          rival.choose(detail);
+        }}
       ></vidno-rival-choice>
       ${this.isToured ? this.tour() : nothing}
       <vidno-gallery

@@ -27,12 +27,13 @@ export class Breaking {
 
   /** Runs the open scene with a broken line, and goes to the first visible difference. */
   break(edition: Edition): void {
-    const { session, setup } = this.page;
+    const { session, setup, ways } = this.page;
     const { trace, rival, place, witness } = session;
     if (trace === null) return;
     const { method, kernel, detail } = trace.header;
     const options: Options = { method, edition, kernel, detail, check: false };
     if (!runs(options)) return;
+    ways.leave();
     if (rival.chosen === null) this.before = { step: place.step, layer: setup.layer };
     this.seeks = true;
     witness.close();
@@ -42,12 +43,14 @@ export class Breaking {
 
   /** Opens the smallest scene that shows the broken line, leaves it, or returns to the right run. */
   follow(way: string): void {
-    const { session } = this.page;
+    const { session, ways } = this.page;
     const { chosen } = session.rival;
     if (way === 'smallest' && chosen?.kind === 'run') {
+      ways.leave();
       this.seeks = true;
       session.witness.open(chosen.options);
     } else if (way === 'own') {
+      ways.leave();
       session.witness.close();
       session.move({});
     } else this.leave();
@@ -70,8 +73,9 @@ export class Breaking {
 
   /** Closes the other run. If it was broken here, restores the previous step and layer. */
   leave(): void {
-    const { session } = this.page;
+    const { session, ways } = this.page;
     const { before } = this;
+    ways.leave();
     const wasBroken = brokenBeside(session) !== null;
     this.before = null;
     this.seeks = false;

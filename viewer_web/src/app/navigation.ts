@@ -17,6 +17,12 @@ type Kept =
   /** The scene of the address has unsaved changes. */
   | { readonly isUnsaved: true };
 
+/** A run, or two beside each other, at a step. */
+export interface Moving {
+  readonly place: { readonly step: number };
+  move(to: { readonly step: number }): void;
+}
+
 /** The parts of the page that navigation needs. */
 export interface Travelled extends Shared, ReactiveControllerHost {
   readonly discard: DiscardElement;
@@ -67,12 +73,11 @@ export class Navigation implements ReactiveController {
     if (await this.mayLeave()) act();
   }
 
-  /** The run has moved to another step. */
-  moved({ target, detail: step }: CustomEvent<number>): void {
-    const { session } = this.host;
+  /** A run has moved to another step. */
+  moved({ target, detail: step }: CustomEvent<number>, run: Moving): void {
     const { playing } = (target as TimedElement).clock;
-    if (!playing && isJump(session.place.step, step)) this.leave();
-    session.move({ step });
+    if (!playing && isJump(run.place.step, step)) this.leave();
+    run.move({ step });
   }
 
   /** Whether the scene that the address stores has unsaved changes, made before *Back* or a reload. */

@@ -23,7 +23,7 @@ import { deviationOf } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import { brokenBeside } from './breaking.js';
 import type { Breaking } from './breaking.js';
-import type { Navigation } from './navigation.js';
+import type { Moving, Navigation } from './navigation.js';
 import type { Session } from './session.js';
 
 /** What the stage shows, how, and the callbacks for its controls. */
@@ -112,7 +112,7 @@ export function alone(page: Shown): TemplateResult {
       .link=${live.link}
       ?breakable=${session.canRun}
       @vidno-break=${({ detail }: CustomEvent<Edition>) => page.breaking.break(detail)}
-      @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
+      @vidno-step=${stepped(page, session)}
       @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
       @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
       @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
@@ -127,6 +127,14 @@ export function alone(page: Shown): TemplateResult {
     ></vidno-player>
   `;
 }
+
+/** Moves a run. The way to a first difference belongs to the break that asked for it. */
+const stepped =
+  ({ breaking, ways }: Shown, run: Moving) =>
+  (event: CustomEvent<number>): void => {
+    if (breaking.seeks) run.move({ step: event.detail });
+    else ways.moved(event, run);
+  };
 
 /** The smallest scene that shows how a line is broken: its right run beside the broken one. */
 function smallest(page: Shown): TemplateResult {
@@ -151,7 +159,7 @@ function smallest(page: Shown): TemplateResult {
     ?seeks=${page.breaking.seeks}
     @vidno-broken=${({ detail }: CustomEvent<string>) => page.breaking.follow(detail)}
     @vidno-sought=${() => page.breaking.found()}
-    @vidno-step=${({ detail: step }: CustomEvent<number>) => witness.move({ step })}
+    @vidno-step=${stepped(page, witness)}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => witness.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
     @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
@@ -189,7 +197,7 @@ export function besides(page: Shown): TemplateResult {
     @vidno-break=${({ detail }: CustomEvent<Edition>) => page.breaking.break(detail)}
     @vidno-broken=${({ detail }: CustomEvent<string>) => page.breaking.follow(detail)}
     @vidno-sought=${() => page.breaking.found()}
-    @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
+    @vidno-step=${stepped(page, session)}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
     @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}

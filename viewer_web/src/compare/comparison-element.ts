@@ -127,8 +127,8 @@ export class ComparisonElement extends StageElement {
   private seek(): void {
     const parting = this.comparison?.parting ?? null;
     if (parting === null || (parting.text === null && !parting.complete)) return;
-    this.dispatchEvent(new CustomEvent('vidno-sought'));
     if (parting.text !== null) this.moveTo(parting.text[0]);
+    this.dispatchEvent(new CustomEvent('vidno-sought'));
   }
 
   protected override actions(event: KeyboardEvent): Actions {

@@ -128,7 +128,11 @@ export class ExactnessElement extends LitElement {
   private sayCheck(check: Check): string {
     const { texts: say } = this;
     if (check.is === 'checking') return say.checking;
-    if (check.is === 'found') return say.found(check.truth.wrong.length);
+    if (check.is === 'found') {
+      const wrong = check.truth.wrong.length;
+      const isCorrected = this.view.header.edition === 'corrected';
+      return wrong === 0 && !isCorrected ? say.foundNoneBut : say.found(wrong);
+    }
     if (check.is === 'unable') return `${say.unable[check.why]} ${check.messages}`;
     return this.maps === null ? `${say.unchecked} ${this.noLibrary}` : say.unchecked;
   }

@@ -28,6 +28,8 @@ export interface ExactTexts {
   /** Shown in place of the number of wrong decisions during the check. */
   readonly checkingShort: string;
   readonly found: (wrong: number) => string;
+  /** No decision is wrong, but the text is not the corrected one. */
+  readonly foundNoneBut: string;
   readonly unable: Readonly<Record<Unable, string>>;
   readonly certain: string;
   readonly check: string;

@@ -11,6 +11,8 @@ export interface WordTexts {
 export interface VerdictTexts {
   readonly pixels: (n: number) => string;
   readonly allRight: string;
+  /** The same where polygons share a colour, so that a right colour may be that of a wrong polygon. */
+  readonly allColorsRight: string;
   readonly someWrong: (n: number) => string;
   /** The same for a text that is not the corrected one: its arithmetic may be right. */
   readonly someOther: (n: number) => string;

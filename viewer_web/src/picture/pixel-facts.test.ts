@@ -20,8 +20,18 @@ describe('the spoken text of a pixel', () => {
     expect(said(3, 4, null)).toBe('Pixel (3, 4): not painted yet');
   });
 
-  it('has its polygon, its colour, and the depth in the Z-buffer', () => {
+  it('is background once the Z-buffer is cleared', () => {
     screen.clear('#ffffff', '-inf');
+    expect(said(3, 4, null)).toBe('Pixel (3, 4): background, #ffffff, depth −∞');
+    const earlier = new Screen(scene, true).save();
+    const now = screen.save();
+    screen.load(earlier);
+    expect(said(3, 4, null)).toBe('Pixel (3, 4): not painted yet');
+    screen.load(now);
+    expect(said(3, 4, null)).toContain('background');
+  });
+
+  it('has its polygon, its colour, and the depth in the Z-buffer', () => {
     screen.paint(2, 1, 3, 1, '#112233');
     screen.z?.set(3, 1, 0.25);
     expect(said(3, 1, only('A'))).toBe('Pixel (3, 1): A, #112233, depth 0.25');
@@ -47,6 +57,9 @@ describe('the spoken text of a pixel', () => {
     expect(texts.en.history.spoken([1, 0], factsAt(plain, [1, 0], only('A')))).toBe(
       'Pixel (1, 0): A, #112233, depth ≈0.375',
     );
+    // The mistake turns the picture upside down: the pixel shows another point of the polygon.
+    const flipped = factsAt(plain, [1, 0], only('A'), 'y-flipped');
+    expect(texts.en.history.spoken([1, 0], flipped)).toBe('Pixel (1, 0): A, #112233');
   });
 
   it('names all polygons that a pixel may show if the trace does not say which', () => {

@@ -2,6 +2,8 @@ import { nobody } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { isPainted, toColor } from '../replay/grid.js';
 import type { Screen } from '../replay/screen.js';
+import { isMistake } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 import { planeOf } from '../trace/plane.js';
 import type { N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
@@ -16,21 +18,26 @@ export interface PixelFacts {
   readonly isStored: boolean;
 }
 
-/** The owners are those of the pixel; null if it is not painted. */
+/**
+ * The owners are those of the pixel; null if it is not painted. A usual mistake may give the polygons other depths than the
+ * scene: then only stored ones are known.
+ */
 export function factsAt(
-  { picture, z, scene }: Screen,
+  { picture, z, scene, isGround }: Screen,
   [x, y]: Pixel,
   owners: Owners | null,
+  edition: Edition = 'corrected',
 ): PixelFacts {
   const [i, j] = [x - scene.area.x, y - scene.area.y];
   const pixel = picture.at(i, j);
   const stored = z?.at(i, j) ?? null;
-  const known = owners ?? nobody;
+  const known = owners ?? (isGround ? { ...nobody, background: true } : nobody);
   const [id, ...others] = known.background ? [] : known.polygons;
   const owner = id === undefined || others.length > 0 ? undefined : scene.byId.get(id);
-  const computed = owner === undefined ? NaN : planeOf(owner)(x + 0.5, y + 0.5);
+  const computed =
+    owner === undefined || isMistake(edition) ? NaN : planeOf(owner)(x + 0.5, y + 0.5);
   return {
-    color: isPainted(pixel) ? toColor(pixel) : null,
+    color: isPainted(pixel) || isGround ? toColor(pixel) : null,
     owners: known,
     depth: stored ?? (Number.isFinite(computed) ? computed : null),
     isStored: stored !== null,

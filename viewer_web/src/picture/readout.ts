@@ -28,8 +28,17 @@ export class ReadoutElement extends LitElement {
         font: 0.75rem var(--mono);
         white-space: nowrap;
       }
+      span {
+        flex: none;
+      }
       .pixel {
         color: var(--ink);
+      }
+      .owner {
+        flex: 0 1 auto;
+        min-width: 2.5em;
+        overflow: hidden;
+        text-overflow: ellipsis;
       }
       .swatch {
         margin-right: 0.3em;
@@ -47,7 +56,7 @@ export class ReadoutElement extends LitElement {
     if (at === null || !isIn(at, area)) return html`<span>${area.width} × ${area.height}</span>`;
     const place = html`<span class="pixel">${numbersOf(view).point(at)}</span>`;
     if (curves !== null) return place;
-    const facts = factsAt(view.screen, at, view.ownersAt(at));
+    const facts = factsAt(view.screen, at, view.ownersAt(at), view.header.edition);
     return html`${place} ${this.owner(facts)} ${this.depth(facts)}
     ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
   }
@@ -57,7 +66,8 @@ export class ReadoutElement extends LitElement {
     const { readout } = texts[this.view.language].picture;
     if (color === null) return html`<span>${readout.unpainted}</span>`;
     const all = [...polygons, ...(background ? [readout.background] : [])];
-    return html`<span>${swatch(color)}${all.join(readout.or)}</span>`;
+    const names = all.join(readout.or);
+    return html`<span class="owner" title=${names}>${swatch(color)}${names}</span>`;
   }
 
   private depth({ depth, isStored }: PixelFacts): TemplateResult | typeof nothing {

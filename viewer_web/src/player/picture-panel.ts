@@ -75,7 +75,10 @@ export class PicturePanelElement extends LitElement {
       @media (max-width: 899px) {
         vidno-readout {
           position: var(--readout-position, static);
-          inset: auto 6rem 0 0;
+          inset: auto auto 0 0;
+          max-width: calc(100% - 6rem);
+          border-radius: 0 6px 0 0;
+          background: var(--panel);
         }
       }
       .switches,

@@ -7,6 +7,7 @@ import type { Exact } from '../picture/layers.js';
 import type { Trace } from '../replay/trace.js';
 import { eventNames, numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
+import type { Scene } from '../trace/header.js';
 
 /** The largest scene that is compared with its exact picture without a request, and the longest run of curves. */
 const most = { pixels: 1 << 20, polygons: 5000, steps: 1 << 15 };
@@ -65,6 +66,10 @@ export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check):
   return `${parts.join('; ')}.`.replace('….', '…');
 }
 
+/** Whether a colour does not tell the polygon. */
+const hasSharedColors = ({ polygons, background }: Scene): boolean =>
+  new Set([background, ...polygons.map(({ color }) => color)]).size <= polygons.length;
+
 const isCorrected = ({ header }: Trace): boolean => header.edition === 'corrected';
 
 /** Claims exactness only after a comparison with the exact picture. */
@@ -77,7 +82,9 @@ function comparedWith(exact: Exact, trace: Trace, view: View): string {
   }
   const { wrong, lacking } = differenceOf(view.screen.picture, right);
   const others = wrong + lacking;
-  if (others === 0) return verdict.allRight;
+  if (others === 0) {
+    return hasSharedColors(trace.header.scene) ? verdict.allColorsRight : verdict.allRight;
+  }
   return isCorrected(trace) ? verdict.someWrong(others) : verdict.someOther(others);
 }
 

@@ -124,8 +124,8 @@ export class PictureElement extends PlaneElement {
   }
 
   protected override spoken(at: Pixel): string {
-    const { screen, ownersAt } = this.view;
-    return this.words.spoken(at, factsAt(screen, at, ownersAt(at)));
+    const { screen, ownersAt, header } = this.view;
+    return this.words.spoken(at, factsAt(screen, at, ownersAt(at), header.edition));
   }
 
   protected override below(): unknown {

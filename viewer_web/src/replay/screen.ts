@@ -39,6 +39,8 @@ export class Screen {
   /** The step that painted each pixel last; 0 for unpainted ones. */
   readonly painters: Grid<number>;
   z: Grid<N> | null = null;
+  /** Whether pixels that nothing has painted are background, and not merely unpainted so far. */
+  isGround = false;
   /** The step of the event that writes now. */
   step = 0;
   /** The windows that were requested last. */
@@ -120,20 +122,23 @@ export class Screen {
     const { width, height } = this.scene.area;
     this.picture.fill(0, 0, width, height, toGround(color));
     this.painters.fill(0, 0, width, height, 0);
+    this.isGround = true;
     if (this.hasDepths) this.z = this.depths(z);
   }
 
   save(): SavedScreen {
-    const { picture, division, painters, z } = this;
+    const { picture, division, painters, z, isGround } = this;
     return {
       picture: picture.save(),
       division: division.save(),
       painters: painters.save(),
       z: z?.save() ?? null,
+      isGround,
     };
   }
 
-  load({ picture, division, painters, z }: SavedScreen): void {
+  load({ picture, division, painters, z, isGround }: SavedScreen): void {
+    this.isGround = isGround;
     this.picture.load(picture);
     this.division.load(division);
     this.painters.load(painters);
@@ -171,4 +176,5 @@ export interface SavedScreen {
   readonly division: readonly Row<number>[];
   readonly painters: readonly Row<number>[];
   readonly z: readonly Row<N>[] | null;
+  readonly isGround: boolean;
 }

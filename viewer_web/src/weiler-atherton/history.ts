@@ -61,7 +61,7 @@ const judges: { readonly [K in keyof WeilerAthertonEvents]?: Judge<K> } = {
 const inSigns: readonly EventName[] = ['edge_piece', 'row'];
 const wanted: Wanted = all.map((is, i) => is && !inSigns.includes(eventNames[i] ?? 'call'));
 
-const nothingPainted = { paint: (): void => undefined };
+const nothingPainted = { isGround: false, paint: (): void => undefined };
 
 /** The history of a pixel: the pieces over its centre, what clips them, what is behind, and the visible region. */
 export class RegionWatch implements Watch {

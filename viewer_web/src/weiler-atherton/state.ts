@@ -60,6 +60,8 @@ export const emptyWeilerAtherton: WeilerAtherton = {
 
 /** The canvas to paint on. */
 interface Canvas {
+  /** Whether pixels that nothing has painted are background. */
+  isGround: boolean;
   paint(x: number, y: number, width: number, height: number, color: string): void;
 }
 
@@ -199,5 +201,11 @@ export const effects = new Effects<keyof WeilerAthertonEvents, WeilerAtherton, C
       return undefined;
     },
   },
-  painted: nothing,
+  painted: {
+    changes: ['picture'],
+    does: (_event, _now, screen) => {
+      screen.isGround = true;
+      return undefined;
+    },
+  },
 });

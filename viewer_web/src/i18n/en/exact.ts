@@ -40,6 +40,8 @@ export const exact: ExactTexts = {
     wrong === 0
       ? 'Checked: every decision of this run is right.'
       : `Checked: this run decides wrongly at ${wrong} ${wrong === 1 ? 'step' : 'steps'}.`,
+  foundNoneBut:
+    'Checked: every decision is as in exact arithmetic. But this is not the corrected text, so the picture may still be wrong.',
   unable: {
     otherRun:
       'Not checked: the library runs this scene differently. Another program, or another version, made this trace.',

@@ -23,6 +23,7 @@ export const words: WordTexts = {
 export const verdict: VerdictTexts = {
   pixels: (n) => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
+  allColorsRight: 'all colours as in exact arithmetic',
   someWrong: (n) => `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
   someOther: (n) => `${count(n, { one: 'differs', other: 'differ' })} from the correct picture`,
   comparing: 'being compared with exact arithmetic…',
