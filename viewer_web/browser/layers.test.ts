@@ -71,7 +71,7 @@ describe('the difference', () => {
     const { page, faults } = await openLesson(printed(method));
     await page.keyboard.press('End');
     await choice(page).selectOption('difference');
-    await expect.poll(() => status(page).textContent()).toContain(`${wrong} pixels wrong`);
+    await expect.poll(() => status(page).textContent()).toContain(`${wrong} with a wrong colour`);
     expect(await status(page).textContent()).toContain('0 not painted yet');
     expect(faults).toEqual([]);
   });
@@ -86,7 +86,7 @@ describe('the difference', () => {
     await expect.poll(() => status(page).textContent()).toContain('256 not painted yet');
     await page.keyboard.press('End');
     await expect.poll(() => status(page).textContent()).toContain('0 not painted yet');
-    expect(await status(page).textContent()).toContain('0 pixels wrong');
+    expect(await status(page).textContent()).toContain('0 with a wrong colour');
   });
 });
 
@@ -112,7 +112,7 @@ describe('the exact picture', () => {
     await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
     await page.keyboard.press('End');
     await expect.poll(() => status(page).textContent()).toContain('0 not painted yet');
-    expect(await status(page).textContent()).toContain('0 pixels wrong');
+    expect(await status(page).textContent()).toContain('0 with a wrong colour');
   });
 });
 

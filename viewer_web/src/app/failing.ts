@@ -19,7 +19,10 @@ export function failing({ session, setup, ways }: Shown): TemplateResult | typeo
       ways.leave();
       session.move({ step: Math.min(failure.step ?? 0, session.steps) });
     }}
-    @compare=${() => session.compareWithRemedy()}
+    @compare=${() => {
+      ways.leave();
+      session.compareWithRemedy();
+    }}
     @forget=${() => session.forgetFailure()}
   ></vidno-failure-note>`;
 }

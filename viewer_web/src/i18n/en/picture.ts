@@ -20,6 +20,6 @@ export const picture: PictureTexts = {
   computing: 'Computing the exact picture…',
   ramp: 'The lighter, the nearer',
   fromTo: (far, near) => `depths from ${far} (dark) to ${near} (light)`,
-  wrong: (n) => (n === 1 ? '1 pixel wrong so far' : `${n} pixels wrong so far`),
+  wrong: (n) => `${n} with a wrong colour`,
   lacking: (n) => `${n} not painted yet`,
 };

@@ -20,6 +20,6 @@ export const picture: PictureTexts = {
   computing: 'Вычисляется…',
   ramp: 'Чем светлее, тем ближе',
   fromTo: (far, near) => `глубины от ${far} (тёмные) до ${near} (светлые)`,
-  wrong: (n) => `неверных: ${n}`,
+  wrong: (n) => `неверного цвета: ${n}`,
   lacking: (n) => `ещё не закрашено: ${n}`,
 };
