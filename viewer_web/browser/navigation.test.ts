@@ -2,8 +2,19 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
 import { edit, editing, rerun, run, scene, square, title, triangle } from './live.js';
+import type { Run } from './live.js';
 import { goTo, open, openContents, opened, openFile, sampleTrace, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
+
+/** Moves the first vertex of an edited scene by its field, and returns the next run. */
+async function moveVertex(page: Page): Promise<Run> {
+  await page.locator('vidno-polygon-form .corners').first().click();
+  const x = page.getByLabel('x of vertex 1').first();
+  return rerun(page, async () => {
+    await x.fill('2');
+    await x.press('Enter');
+  });
+}
 
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
 
@@ -81,12 +92,7 @@ describe('Back', () => {
   it('keeps an edited scene at its step, and asks before discarding one', async () => {
     const { page, faults } = await editing(browser);
     await settled(page);
-    await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of vertex 1').first();
-    const changed = await rerun(page, async () => {
-      await x.fill('2');
-      await x.press('Enter');
-    });
+    const changed = await moveVertex(page);
     await settled(page);
     await goTo(page, 30);
     await settled(page);
@@ -121,12 +127,7 @@ describe('Back', () => {
 describe('an edited scene', () => {
   it('is not lost by a reload without a question', async () => {
     const { page } = await editing(browser);
-    await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of vertex 1').first();
-    const changed = await rerun(page, async () => {
-      await x.fill('2');
-      await x.press('Enter');
-    });
+    const changed = await moveVertex(page);
     // The reload never ends, since the reader stays.
     const [question] = await Promise.all([
       page.waitForEvent('dialog'),
@@ -142,12 +143,7 @@ describe('an edited scene', () => {
   it('is still asked about after a reload and after Back', async () => {
     const { page, faults } = await editing(browser);
     page.on('dialog', (dialog) => void dialog.accept());
-    await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of vertex 1').first();
-    const changed = await rerun(page, async () => {
-      await x.fill('2');
-      await x.press('Enter');
-    });
+    const changed = await moveVertex(page);
     await settled(page);
     const question = page.locator('vidno-discard dialog[open]');
     const leave = async (answer: string): Promise<void> => {
@@ -185,12 +181,7 @@ describe('an edited scene', () => {
     await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
     await edit(page);
     await settled(page);
-    await page.locator('vidno-polygon-form .corners').first().click();
-    const x = page.getByLabel('x of vertex 1').first();
-    const changed = await rerun(page, async () => {
-      await x.fill('2');
-      await x.press('Enter');
-    });
+    const changed = await moveVertex(page);
     await settled(page);
     const question = page.locator('vidno-discard dialog[open]');
     for (const answer of ['Stay here', 'Discard']) {

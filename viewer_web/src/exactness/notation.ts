@@ -7,14 +7,14 @@ import type { Language } from '../language/language.js';
  */
 export function inNotation(line: string, language: Language, other = 'z₀'): string {
   const { upper, lower } = texts[language].curves;
-  const names: Readonly<Record<string, string>> = {
-    against: other,
-    left: 'x₁',
-    right: 'x₂',
-    upper,
-    lower,
-  };
-  return line.replace(/\b(?:against|left|right|upper|lower)\b/gu, (name) => names[name] ?? name);
+  const names = new Map([
+    ['against', other],
+    ['left', 'x₁'],
+    ['right', 'x₂'],
+    ['upper', upper],
+    ['lower', lower],
+  ]);
+  return line.replace(/\b[a-z]+\b/gu, (name) => names.get(name) ?? name);
 }
 
 /** A number of a trace, whole ones without a denominator. */

@@ -1,4 +1,5 @@
 import { Effects, noneOfCommon, nothing } from '../replay/effects.js';
+import type { Screen } from '../replay/screen.js';
 import type { WeilerAthertonEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Point } from '../trace/values.js';
@@ -59,11 +60,7 @@ export const emptyWeilerAtherton: WeilerAtherton = {
 };
 
 /** The canvas to paint on. */
-interface Canvas {
-  /** Whether pixels that nothing has painted are background. */
-  isGround: boolean;
-  paint(x: number, y: number, width: number, height: number, color: string): void;
-}
+type Canvas = Pick<Screen, 'isGround' | 'paint'>;
 
 const isEmpty = (region: Region): boolean => region.length === 0;
 
