@@ -1,8 +1,8 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { rerun, scene, square, title } from './live.js';
-import { open, openFile } from './page.js';
+import { openScene, scene, square } from './live.js';
+import { open } from './page.js';
 import { scaleOf, wheel } from './zoom.js';
 
 /** The places on the canvas where colours change along the line through the middle of the box, in canvas pixels. */
@@ -53,8 +53,7 @@ const cases = [1, 2].flatMap((ratio) => [1, 3.7, 20].map((zoom) => [zoom, ratio]
 describe('the canvas and the grid agree to half a device pixel', () => {
   it.each(cases)('at zoom %d, %d device pixels per CSS pixel', async (zoom, ratio) => {
     const { page } = await open(browser, '#lang=en', { deviceScaleFactor: ratio });
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'square.json', scene([square])));
+    await openScene(page, scene([square]));
     await page.keyboard.press('End');
     const fit = await scaleOf(page);
     // Zooms around a corner of the square, so that edges are in sight.

@@ -3,8 +3,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { edit, rerun, run, title } from './live.js';
-import { goTo, open, opened, openFile, sampleTrace } from './page.js';
+import { edit, openScene, rerun, run, title } from './live.js';
+import { goTo, open, opened, sampleTrace } from './page.js';
 
 interface Failure {
   readonly scene: object;
@@ -13,10 +13,9 @@ interface Failure {
 /** Opens the page with the scene of an entry of the atlas of failures, run by Warnock's algorithm under double. */
 async function failing(name: string, hash = '#lang=en'): Promise<Page> {
   const { page } = await open(browser, hash);
-  await page.locator(title, { hasText: /./u }).waitFor();
   const file = new URL(`../../lessons/failures/${name}.json`, import.meta.url);
   const { scene } = JSON.parse(readFileSync(file, 'utf8')) as Failure;
-  await rerun(page, () => openFile(page, `${name}.json`, JSON.stringify(scene)));
+  await openScene(page, JSON.stringify(scene));
   return page;
 }
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { looks, rerun, run, title } from './live.js';
-import { goTo, open, openFile } from './page.js';
+import { looks, openScene, run } from './live.js';
+import { goTo, open } from './page.js';
 
 /** The corners of the square lie on the centres of the pixels at the corners of a 2 x 2 area. */
 const square = {
@@ -27,8 +27,7 @@ const square = {
 describe('the decisions worth looking at', () => {
   it('are listed, sorted, marked on the strip and in the picture, and linked to their steps', async () => {
     const { page } = await open(browser, '#lang=en');
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
+    await openScene(page, JSON.stringify(square));
     await page.locator('vidno-side button.exact').click();
     const list = page.locator('vidno-findings');
     await list.getByText('exactly zero').first().waitFor();
@@ -44,8 +43,7 @@ describe('the decisions worth looking at', () => {
 
   it('can be recalculated line by line', async () => {
     const { page } = await open(browser, '#lang=en');
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
+    await openScene(page, JSON.stringify(square));
     await page.locator('vidno-side button.exact').click();
     await page.locator('vidno-findings').waitFor();
     const { lines } = await run(page);
@@ -60,8 +58,7 @@ describe('the decisions worth looking at', () => {
 describe('the margin of a vertex', () => {
   it('is shaded while the vertex is chosen, with the changes beyond its sides', async () => {
     const { page } = await open(browser, '#lang=en');
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
+    await openScene(page, JSON.stringify(square));
     const { lines } = await run(page);
     await goTo(page, lines.findIndex((line) => line.includes('"e":"orient"')) + 1);
     await page.locator('vidno-side button.scene').click();

@@ -4,8 +4,8 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, emptyPage } from './browser.js';
-import { edit, handle, rerun, scene, title } from './live.js';
-import { goTo, open, openFile, shown, whole } from './page.js';
+import { edit, handle, openScene, rerun, scene, title } from './live.js';
+import { goTo, open, shown, whole } from './page.js';
 import { temporaryFile } from './temporary.js';
 import { Meter, median, told } from './timing.js';
 import type { Measured } from './timing.js';
@@ -110,8 +110,7 @@ const five = scene(
 describe('a corner that is dragged', () => {
   it.each(['zbuffer', 'warnock'])('is followed by a run of %s', async (method) => {
     const { page, faults } = await open(browser, '#lang=en', { viewport });
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'five.json', five));
+    await openScene(page, five);
     await edit(page);
     if (method !== 'warnock') {
       const choice = page.locator('vidno-run-form select[name=method]');

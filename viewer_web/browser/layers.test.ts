@@ -3,8 +3,8 @@ import type { Frame } from '../src/picture/frame.js';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { rerun, run, scene, shapes, square, title, triangle } from './live.js';
-import { goTo, open, openFile, shown, whole } from './page.js';
+import { openScene, run, scene, shapes, square, title, triangle } from './live.js';
+import { goTo, open, shown, whole } from './page.js';
 import { scaleOf } from './zoom.js';
 import type { Opened } from './page.js';
 
@@ -104,12 +104,11 @@ describe('the exact picture', () => {
 
   it('follows a scene that is edited', async () => {
     const { page } = await open(browser, '#lang=en&layer=difference');
-    await page.locator(title, { hasText: /./u }).waitFor();
-    await rerun(page, () => openFile(page, 'one.json', scene([square])));
+    await openScene(page, scene([square]));
     // The square is 5 x 5 pixels.
     await page.keyboard.press('Home');
     await expect.poll(() => status(page).textContent()).toContain('25 not painted yet');
-    await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
+    await openScene(page, scene([triangle, square]));
     await page.keyboard.press('End');
     await expect.poll(() => status(page).textContent()).toContain('0 not painted yet');
     expect(await status(page).textContent()).toContain('0 with a wrong colour');

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { edit, editing, rerun, run, scene, title, triangle } from './live.js';
+import { edit, editing, openScene, rerun, run, scene, title, triangle } from './live.js';
 import { goTo, open, openFile, shown, widthOf } from './page.js';
 
 describe('a scene', () => {
@@ -15,7 +15,7 @@ describe('a scene', () => {
     expect(download.suggestedFilename()).toBe('two.json');
     const saved = readFileSync(await download.path(), 'utf8');
     const before = await run(page);
-    expect(await rerun(page, () => openFile(page, 'again.json', saved))).toEqual(before);
+    expect(await openScene(page, saved)).toEqual(before);
   });
 
   it('is part of the link, with its settings and the step', async () => {

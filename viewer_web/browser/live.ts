@@ -39,6 +39,17 @@ export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Ru
   return run(page);
 }
 
+/** Opens a scene and waits for its run. The page may still be opening another one. */
+export async function openScene(page: Page, text: string): Promise<Run> {
+  const { name } = JSON.parse(text) as { readonly name: string };
+  await showsAnother(page, () => openFile(page, 'scene.json', text));
+  await page.waitForFunction((wanted) => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    return player?.trace?.header.scene.name === wanted;
+  }, name);
+  return run(page);
+}
+
 /** Opens the scene's panel by its key. */
 export async function edit(page: Page): Promise<void> {
   await page.keyboard.press('e');
@@ -109,8 +120,7 @@ export const square = {
 /** A page that has run the two polygons by Warnock's algorithm, with the scene's panel open. */
 export async function editing(browser: Browser): Promise<Opened> {
   const found = await open(browser, '#lang=en');
-  await found.page.locator(title, { hasText: /./u }).waitFor();
-  await rerun(found.page, () => openFile(found.page, 'two.json', scene([triangle, square])));
+  await openScene(found.page, scene([triangle, square]));
   await edit(found.page);
   return found;
 }

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
-import { edit, editing, rerun, run, scene, square, title, triangle } from './live.js';
+import { edit, editing, openScene, rerun, run, scene, square, title, triangle } from './live.js';
 import type { Run } from './live.js';
 import { goTo, open, openContents, opened, openFile, sampleTrace, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
@@ -178,7 +178,7 @@ describe('an edited scene', () => {
       await page.locator(title).click();
       await settled(page);
     }
-    await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
+    await openScene(page, scene([triangle, square]));
     await edit(page);
     await settled(page);
     const changed = await moveVertex(page);

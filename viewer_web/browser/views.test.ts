@@ -2,8 +2,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { rerun, scene, square, title, triangle } from './live.js';
-import { goTo, open, openFile, opened, shown, small, widthOf } from './page.js';
+import { openScene, scene, square, title, triangle } from './live.js';
+import { goTo, open, opened, shown, small, widthOf } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 import { see } from './views.js';
 
@@ -107,7 +107,7 @@ describe('the first screen', () => {
   it('claims no more than colours where two polygons have the same', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const alike = scene([triangle, { ...square, color: triangle.color }]);
-    await rerun(page, () => openFile(page, 'alike.json', alike));
+    await openScene(page, alike);
     await page.locator(title).click();
     await page.keyboard.press('End');
     await expect

@@ -2,8 +2,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { editing, handle, rerun, scene, spotOf, triangle } from './live.js';
-import { goTo, open, openFile, opened, small } from './page.js';
+import { editing, handle, openScene, rerun, scene, spotOf, triangle } from './live.js';
+import { goTo, open, opened, small } from './page.js';
 import type { Opened } from './page.js';
 import { dotOf, scaleOf, stage, wheel } from './zoom.js';
 
@@ -165,7 +165,7 @@ describe('a scene that is edited', () => {
   it('is shown whole again when its area changes', async () => {
     const { page } = await editing(browser);
     await wheel(page, 5, 2, 3);
-    await rerun(page, () => openFile(page, 'other.json', scene([triangle], 16)));
+    await openScene(page, scene([triangle], 16));
     await expect.poll(() => page.locator(stage).getAttribute('class')).toBeNull();
     expect(await page.locator(stage).getAttribute('viewBox')).toContain('-');
   });
