@@ -54,7 +54,6 @@ async function compareOwners(run: RandomRun): Promise<void> {
         if (run.options.detail !== 'windows') expect(found).toHaveLength(1);
       }
     }
-    expect(trace.timeline.step).toBe(step);
   }
 }
 

@@ -34,10 +34,7 @@ export function ownersAt(
 }
 
 function shownBy({ header, timeline }: Trace, step: number): Owners {
-  const event = timeline.event(step);
+  const event = timeline.eventAlone(step);
   if (event === null) return nobody;
-  const now = timeline.step;
-  const { values } = timeline.seek(step);
-  timeline.seek(now);
-  return algorithmOf(header).owners?.(event, values, header) ?? nobody;
+  return algorithmOf(header).owners?.(event, timeline.valuesAt(step), header) ?? nobody;
 }

@@ -55,7 +55,7 @@ export function viewOf(trace: Trace, step: number, choice: Choice): View {
   const { language } = choice;
   const before = timeline.seek(Math.max(0, step - 1)).values;
   const { values: after, screen, columns } = timeline.seek(step);
-  const event = timeline.event(step);
+  const event = timeline.eventAlone(step);
   const { page } = texts[language];
   return {
     ...choice,

@@ -33,6 +33,7 @@ export abstract class PlaneElement extends LitElement {
   @state() protected cursor: Pixel | null = null;
   /** The pixel under the pointer; an event `pointed` reports it. */
   @state() private pointed: Pixel | null = null;
+  private underPointer: Pixel | null = null;
   /** The visible part of the picture. */
   @state() private zoom: Zoom | null = null;
   @query('svg') private stage!: SVGSVGElement;
@@ -51,6 +52,7 @@ export abstract class PlaneElement extends LitElement {
   constructor() {
     super();
     new Keyboard(this, () => this.zoomKeys());
+    this.addEventListener('pointermove', this.onMove, { capture: true });
     this.addEventListener('pointermove', this.onPoint);
     this.addEventListener('pointerleave', this.onPoint);
     this.addEventListener('wheel', this.gestures.onWheel, { passive: false });
@@ -150,9 +152,14 @@ export abstract class PlaneElement extends LitElement {
   /** A mouse press must not take the focus, because arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
-  private readonly onPoint = (event: PointerEvent): void => {
-    const place = event.type === 'pointerleave' ? null : this.placeAt(pointIn(this, event));
-    const pixel = place !== null && isIn(place, this.view.header.scene.area) ? place : null;
+  /** Finds the place before other listeners change the page: later, the browser would have to lay it out first. */
+  private readonly onMove = (event: PointerEvent): void => {
+    const place = this.placeAt(pointIn(this, event));
+    this.underPointer = isIn(place, this.view.header.scene.area) ? place : null;
+  };
+
+  private readonly onPoint = ({ type }: PointerEvent): void => {
+    const pixel = type === 'pointerleave' ? null : this.underPointer;
     if (!isOther(pixel, this.pointed)) return;
     this.pointed = pixel;
     this.dispatchEvent(

@@ -25,14 +25,25 @@ function expectStates(timeline: Timeline, expected: readonly Keyframe[], from: n
   }
 }
 
+/** Checks the values at each step while the state stays at others. */
+function expectValues(timeline: Timeline, expected: readonly Keyframe[], from: number[]): void {
+  for (let step = 0; step <= timeline.length; step++) {
+    const stays = from[step % from.length] ?? 0;
+    const state = timeline.seek(stays);
+    expect(timeline.valuesAt(step)).toEqual(expected[step]?.values);
+    expect(copyOf(state)).toEqual(expected[stays]);
+  }
+}
+
 describe('the relevant events of a stretch give the same state as all its events, without keyframes', () => {
   it.each(traceNames)(
     '%s, from the beginning to each step',
     async (name) => {
       const [header = '', ...lines] = textOf(name).trim().split('\n').slice(0, -1);
       const events = lines.map((line) => JSON.parse(line) as Event);
-      const timeline = await bareTimelineOf(textOf(name));
-      expectStates(timeline, statesInTurn(JSON.parse(header), events), [0]);
+      const states = statesInTurn(JSON.parse(header), events);
+      expectStates(await bareTimelineOf(textOf(name)), states, [0]);
+      expectValues(await bareTimelineOf(textOf(name)), states, [0, events.length]);
     },
     60_000,
   );
@@ -43,8 +54,10 @@ describe('the relevant events of a stretch give the same state as all its events
   it.each(runs)('events in any order, %s %i, from any step', async (method, seed) => {
     const events = anyEvents(method, 120, seed);
     const header = headerOf(method);
-    const timeline = await bareTimelineOf(textWith(header, events));
-    expectStates(timeline, statesInTurn(header, events), [0, 20, 77, 110]);
+    const states = statesInTurn(header, events);
+    const text = textWith(header, events);
+    expectStates(await bareTimelineOf(text), states, [0, 20, 77, 110]);
+    expectValues(await bareTimelineOf(text), states, [0, 20, 77, 110]);
   });
 });
 

@@ -6,7 +6,7 @@ import { Lines } from './lines.js';
 import { modelOf } from './model.js';
 import { hasRoomForDepths } from './screen.js';
 import { State, depthChanges } from './state.js';
-import type { Keyframe } from './state.js';
+import type { Keyframe, Values } from './state.js';
 import { stretch } from './stretch.js';
 import type { Uses } from './uses.js';
 
@@ -53,7 +53,7 @@ export class Timeline {
   private every = least;
   /** A state before the goal of the last long seek. */
   private mark: Keyframe | null = null;
-  /** Carries out long seeks, while the current state stays. */
+  /** Goes to other steps, while the current state stays. */
   private scout: State | null = null;
 
   constructor(private readonly header: Header) {
@@ -65,11 +65,6 @@ export class Timeline {
 
   get length(): number {
     return this.store.length;
-  }
-
-  /** The step of the current state. */
-  get step(): number {
-    return this.state.step;
   }
 
   /** The numbers of the events' names, for passes over a long run without its events. That of step n is at n - 1. */
@@ -110,6 +105,13 @@ export class Timeline {
     return state;
   }
 
+  /** The values after the first `step` events, while the current state stays. */
+  valuesAt(step: number): Values {
+    const scout = this.scoutAt(this.startOf(step), step);
+    this.leap(scout, step);
+    return scout.values;
+  }
+
   /**
    * Goes a part of the way to a step, for about this time, and returns the number of steps left. At 0 a seek is quick.
    * Keeps keyframes on the way.
@@ -121,7 +123,7 @@ export class Timeline {
     const bytes = store.bytesBefore(step) - store.bytesBefore(begin);
     if (bytes <= 2 * near) return 0;
     const goal = store.stepAt(store.bytesBefore(step) - near);
-    const scout = this.scoutAt(begin, goal, () => start ?? this.state.save());
+    const scout = this.scoutAt(start, goal);
     const end = performance.now() + milliseconds;
     // A single leap skips most of the events on the way.
     if (bytes <= far) this.leap(scout, goal);
@@ -141,10 +143,7 @@ export class Timeline {
       if (performance.now() >= end) return false;
       const last = this.keyframes.at(-1);
       if (last === undefined) throw new Error('no keyframe of the beginning');
-      this.stride(
-        this.scoutAt(last.values.step, this.next - 1, () => last),
-        this.next,
-      );
+      this.stride(this.scoutAt(last, this.next - 1), this.next);
     }
     return true;
   }
@@ -154,11 +153,12 @@ export class Timeline {
     return this.keyframes.length * this.every;
   }
 
-  /** The scout, where it is if that is between two steps, or else at a keyframe. */
-  private scoutAt(begin: number, end: number, start: () => Keyframe): State {
+  /** The scout, where it is if that is between two steps, or else at the first: a keyframe, or null for the current state. */
+  private scoutAt(start: Keyframe | null, end: number): State {
     this.scout ??= new State(this.header);
     const { step } = this.scout;
-    if (step < begin || step > end) this.scout.load(start());
+    const begin = (start?.values ?? this.state.values).step;
+    if (step < begin || step > end) this.scout.load(start ?? this.state.save());
     return this.scout;
   }
 
