@@ -121,12 +121,13 @@ export class Timeline {
     const { store } = this;
     const begin = (start?.values ?? this.state.values).step;
     const bytes = store.bytesBefore(step) - store.bytesBefore(begin);
-    if (bytes <= 2 * near) return 0;
+    // A single leap skips most of the events on the way.
+    const isLeap = bytes <= far;
+    if (bytes <= 2 * near || (isLeap && start === null)) return 0;
     const goal = store.stepAt(store.bytesBefore(step) - near);
     const scout = this.scoutAt(start, goal);
     const end = performance.now() + milliseconds;
-    // A single leap skips most of the events on the way.
-    if (bytes <= far) this.leap(scout, goal);
+    if (isLeap) this.leap(scout, goal);
     // Each call gets on, even if the machine stood still.
     while (scout.step < goal) {
       this.stride(scout, goal);

@@ -10,7 +10,7 @@ export interface Written {
   readonly end: string;
 }
 
-/** A trace as its first line, blocks of lines, and its last line; all blocks share its bytes. */
+/** A trace as its first line, blocks of lines, and its last line; all blocks share its arrays. */
 export function writtenOf({ bytes, starts, names }: MadeTrace): Written {
   const text = new TextDecoder();
   const blocks: Block[] = [];
@@ -19,9 +19,9 @@ export function writtenOf({ bytes, starts, names }: MadeTrace): Written {
     let end = first + 1;
     while (end < names.length && (starts[end] ?? 0) - begin < size) end++;
     blocks.push({
-      bytes: bytes.subarray(begin, starts[end]),
-      starts: shifted(starts.subarray(first, end + 1), begin),
-      names: names.slice(first, end),
+      bytes,
+      starts: starts.subarray(first, end + 1),
+      names: names.subarray(first, end),
     });
     first = end;
   }
@@ -30,10 +30,4 @@ export function writtenOf({ bytes, starts, names }: MadeTrace): Written {
     blocks,
     end: text.decode(bytes.subarray(starts.at(-1))),
   };
-}
-
-function shifted(starts: Uint32Array, by: number): Uint32Array<ArrayBuffer> {
-  const found = new Uint32Array(starts.length);
-  for (let i = 0; i < found.length; i++) found[i] = (starts[i] ?? 0) - by;
-  return found;
 }

@@ -54,7 +54,7 @@ scope.onmessage = ({ data }) => {
   }
   const outcome = library.run(request);
   const { made } = outcome;
-  // The bytes, which all blocks share, are transferred and not copied.
-  const given = made === null ? [] : [made.bytes.buffer];
+  // The arrays, which all blocks share, are transferred and not copied.
+  const given = made === null ? [] : [made.bytes.buffer, made.starts.buffer, made.names.buffer];
   scope.postMessage({ turn, ...outcome, made: made && readMade(made) }, given);
 };

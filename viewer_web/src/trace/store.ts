@@ -3,8 +3,9 @@ import { Refusal } from './refusal.js';
 
 /** Checked lines of a trace, as the original bytes in UTF-8. */
 export interface Block {
+  /** May have other lines before and after these. */
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** The start of each line, followed by the end of the last one. */
+  /** The start of each line in the bytes, followed by the end of the last one. */
   readonly starts: Uint32Array<ArrayBuffer>;
   /** The number of each event's name. */
   readonly names: Uint8Array<ArrayBuffer>;
@@ -14,20 +15,24 @@ export interface Block {
 export class BlockText {
   private readonly decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
   private readonly whole: string | null;
+  /** The start of the block in its bytes. */
+  private readonly first: number;
 
   constructor(
     private readonly bytes: Uint8Array,
     private readonly starts: Uint32Array,
   ) {
-    const text = this.decoded(bytes);
-    this.whole = text?.length === bytes.length ? text : null;
+    this.first = starts[0] ?? 0;
+    const lines = bytes.subarray(this.first, starts.at(-1));
+    const text = this.decoded(lines);
+    this.whole = text?.length === lines.length ? text : null;
   }
 
   /** A text, and the range in it of line `i`, newline included. */
   at(i: number): readonly [text: string, start: number, end: number] {
     const start = this.starts[i] ?? 0;
     const end = this.starts[i + 1] ?? start;
-    if (this.whole !== null) return [this.whole, start, end];
+    if (this.whole !== null) return [this.whole, start - this.first, end - this.first];
     const line = this.decoded(this.bytes.subarray(start, end));
     if (line === null) throw new Refusal('', 'notUtf8');
     return [line, 0, line.length];
