@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
 import { sentences, stepsOf } from './compare.js';
-import { editing, handle } from './live.js';
-import { goTo, open, openFile, openUrl, shown, whole } from './page.js';
+import { editing, handle, openScene } from './live.js';
+import { goTo, open, openUrl, shown, whole } from './page.js';
 
 /** N, a near square of 8 x 8 pixels, in the middle of Q, a far quad over the whole area. */
 const warnock = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
@@ -250,8 +250,7 @@ describe('a broken line of the listing', () => {
         ],
       ],
     });
-    await openFile(page, 'below.json', curves);
-    await page.locator('.title h2', { hasText: 'A line below another' }).waitFor();
+    await openScene(page, curves);
     await breakLine(page, 'FH6', 'printed:x-h1');
     // The second line lies below the first over all four columns, and is not drawn.
     expect(await result(page)).toBe('Columns over which curves change: 4.');

@@ -4,7 +4,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { goTo, open, openContents, openFile, shown } from './page.js';
+import { openScene } from './live.js';
+import { goTo, open, openContents, shown } from './page.js';
 
 const waves = readFileSync(
   new URL('../../lessons/surfaces/waves-and-pit.json', import.meta.url),
@@ -27,10 +28,9 @@ const crossing = JSON.stringify({
   ],
 });
 
-async function openScene(text: string, name: string): Promise<Page> {
+async function openSurface(text: string): Promise<Page> {
   const { page } = await open(browser, '#lang=en');
-  await openFile(page, 'surface.json', text);
-  await page.locator('.title h2', { hasText: name }).waitFor();
+  await openScene(page, text);
   return page;
 }
 
@@ -52,7 +52,7 @@ const lines = (page: Page): Promise<readonly unknown[]> =>
 
 describe('a surface that the page runs', () => {
   it('has the lines that the procedures draw', async () => {
-    const page = await openScene(crossing, 'Two lines that cross');
+    const page = await openSurface(crossing);
     // The second line is 3 - x / 2. It meets the first, at height 2, over column 2.
     await expect
       .poll(() => lines(page))
@@ -63,7 +63,7 @@ describe('a surface that the page runs', () => {
   });
 
   it('is run again when a sample is moved by keys, and when that is undone', async () => {
-    const page = await openScene(crossing, 'Two lines that cross');
+    const page = await openSurface(crossing);
     await page.keyboard.press('e');
     const handle = page.locator('vidno-sample-handles [data-spot="0,1"]');
     await handle.focus();
@@ -74,7 +74,7 @@ describe('a surface that the page runs', () => {
   });
 
   it('follows the mouse with a sample', async () => {
-    const page = await openScene(crossing, 'Two lines that cross');
+    const page = await openSurface(crossing);
     await page.keyboard.press('e');
     const area = await page.locator('vidno-curve-picture .area').boundingBox();
     const box = await page.locator('vidno-sample-handles [data-spot="0,0"]').boundingBox();
@@ -88,7 +88,7 @@ describe('a surface that the page runs', () => {
   });
 
   it('is given by a function, which can be changed; an invalid one is refused with a reason', async () => {
-    const page = await openScene(waves, 'Waves and a pit');
+    const page = await openSurface(waves);
     await page.keyboard.press('e');
     const field = page.locator('vidno-surface-form [name=function]');
     await field.fill('rint(x)');
@@ -116,14 +116,14 @@ describe('a surface that the page runs', () => {
   });
 
   it('has an accessible editor', async () => {
-    const page = await openScene(waves, 'Waves and a pit');
+    const page = await openSurface(waves);
     await page.keyboard.press('e');
     await page.locator('vidno-surface-form').waitFor();
     expect(await violations(page)).toEqual([]);
   });
 
   it('is compared with the printed text', async () => {
-    const page = await openScene(waves, 'Waves and a pit');
+    const page = await openSurface(waves);
     await page.keyboard.press('d');
     await page.locator('vidno-rival-choice [name=printed]').click();
     await page.locator('vidno-compared-run.other .name h3').waitFor();
@@ -144,7 +144,7 @@ describe.runIf(existsSync(traced))('the samples of a function', () => {
   it('equal those of the program, except for the last bits of sines and powers', async () => {
     const [first = ''] = readFileSync(traced, 'utf8').split('\n');
     const { scene } = JSON.parse(first) as { scene: { curves: Curves } };
-    const page = await openScene(waves, 'Waves and a pit');
+    const page = await openSurface(waves);
     const own = await curvesOf(page);
     const columns = (curves: Curves): unknown => curves.map((curve) => curve.map(([x]) => x));
     expect(columns(own)).toEqual(columns(scene.curves));

@@ -4,8 +4,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { bookmark, listed } from './bookmarks.js';
 import { browser, built } from './browser.js';
-import { edit, rerun, run, scene, title, triangle } from './live.js';
-import { goTo, open, openFile, openUrl, opened, shown, small, whole } from './page.js';
+import { edit, openScene, rerun, run, scene, title, triangle } from './live.js';
+import { goTo, open, openUrl, opened, shown, small, whole } from './page.js';
 import { temporaryFile } from './temporary.js';
 
 /** Saves the page in its current state. */
@@ -66,8 +66,7 @@ describe('a page on disk, whose address works for nobody else, is saved as anoth
       id: `T${i}`,
       vertices: corner(i),
     }));
-    await openFile(page, 'large.json', scene(all));
-    await page.locator(title, { hasText: 'Two' }).waitFor();
+    await openScene(page, scene(all));
     await goTo(page, 30);
     const before = await run(page);
     const again = await openSaved(await saved(page));

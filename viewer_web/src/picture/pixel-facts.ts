@@ -1,5 +1,6 @@
 import { nobody } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
+import type { View } from '../algorithm/view.js';
 import { isPainted, toColor } from '../replay/grid.js';
 import type { Screen } from '../replay/screen.js';
 import { isMistake } from '../trace/editions.js';
@@ -17,6 +18,12 @@ export interface PixelFacts {
   readonly depth: N | null;
   readonly isStored: boolean;
 }
+
+/** The facts about a pixel in a view. */
+export const factsIn = (
+  { screen, ownersAt, header }: Pick<View, 'screen' | 'ownersAt' | 'header'>,
+  at: Pixel,
+): PixelFacts => factsAt(screen, at, ownersAt(at), header.edition);
 
 /**
  * The owners are those of the pixel; null if it is not painted. A usual mistake may give the polygons other depths than the

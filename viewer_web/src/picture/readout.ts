@@ -7,7 +7,7 @@ import { swatch } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { approximately } from '../language/words.js';
-import { factsAt } from './pixel-facts.js';
+import { factsIn } from './pixel-facts.js';
 import type { PixelFacts } from './pixel-facts.js';
 import { isIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
@@ -56,7 +56,7 @@ export class ReadoutElement extends LitElement {
     if (at === null || !isIn(at, area)) return html`<span>${area.width} × ${area.height}</span>`;
     const place = html`<span class="pixel">${numbersOf(view).point(at)}</span>`;
     if (curves !== null) return place;
-    const facts = factsAt(view.screen, at, view.ownersAt(at), view.header.edition);
+    const facts = factsIn(view, at);
     return html`${place} ${this.owner(facts)} ${this.depth(facts)}
     ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
   }

@@ -21,7 +21,7 @@ import { CellPainter } from '../picture/paint.js';
 import type { Cells } from '../picture/paint.js';
 import { patchesOf } from '../picture/patches.js';
 import { pictureStyle } from '../picture/picture.style.js';
-import { factsAt } from '../picture/pixel-facts.js';
+import { factsIn } from '../picture/pixel-facts.js';
 import type { Pixel } from '../picture/pixel.js';
 import { PlaneElement } from '../picture/plane.js';
 import { shapesOf } from '../picture/shapes.js';
@@ -124,8 +124,7 @@ export class PictureElement extends PlaneElement {
   }
 
   protected override spoken(at: Pixel): string {
-    const { screen, ownersAt, header } = this.view;
-    return this.words.spoken(at, factsAt(screen, at, ownersAt(at), header.edition));
+    return this.words.spoken(at, factsIn(this.view, at));
   }
 
   protected override below(): unknown {

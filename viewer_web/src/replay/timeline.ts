@@ -119,7 +119,7 @@ export class Timeline {
   approach(step: number, milliseconds = Infinity): number {
     const start = this.startOf(step);
     const { store } = this;
-    const begin = (start?.values ?? this.state.values).step;
+    const begin = start?.values.step ?? this.state.step;
     const bytes = store.bytesBefore(step) - store.bytesBefore(begin);
     // A single leap skips most of the events on the way.
     const isLeap = bytes <= far;
@@ -158,7 +158,7 @@ export class Timeline {
   private scoutAt(start: Keyframe | null, end: number): State {
     this.scout ??= new State(this.header);
     const { step } = this.scout;
-    const begin = (start?.values ?? this.state.values).step;
+    const begin = start?.values.step ?? this.state.step;
     if (step < begin || step > end) this.scout.load(start ?? this.state.save());
     return this.scout;
   }
