@@ -23,6 +23,20 @@ struct PixelRun {
     bool operator==(const PixelRun&) const = default;
 };
 
+/// The pixels of the area whose centres lie in the half-open window.
+inline PixelRectangle pixels_of(const Area& area, const Window& window) {
+    const auto centre_at_or_after = [](double v, int low, int end) {
+        const double nearest = std::clamp(v - 0.5, double(low), double(end));
+        const int toward_zero = int(nearest);
+        return toward_zero + int(toward_zero < nearest);  // rounded up, without a call of std::ceil
+    };
+    const int left = centre_at_or_after(window.x, area.x, area.right());
+    const int right = centre_at_or_after(window.right(), area.x, area.right());
+    const int top = centre_at_or_after(window.y, area.y, area.bottom());
+    const int bottom = centre_at_or_after(window.bottom(), area.y, area.bottom());
+    return {left, top, right - left, bottom - top};
+}
+
 class Picture {
 public:
     Picture(const Area& area, Color background)
@@ -56,19 +70,7 @@ public:
         }
     }
 
-    /// The pixels of the area whose centres lie in the half-open window.
-    PixelRectangle pixels_of(const Window& window) const {
-        const auto centre_at_or_after = [](double v, int low, int end) {
-            const double nearest = std::clamp(v - 0.5, double(low), double(end));
-            const int toward_zero = int(nearest);
-            return toward_zero + int(toward_zero < nearest);  // rounded up, without a call of std::ceil
-        };
-        const int left = centre_at_or_after(window.x, area_.x, area_.right());
-        const int right = centre_at_or_after(window.right(), area_.x, area_.right());
-        const int top = centre_at_or_after(window.y, area_.y, area_.bottom());
-        const int bottom = centre_at_or_after(window.bottom(), area_.y, area_.bottom());
-        return {left, top, right - left, bottom - top};
-    }
+    PixelRectangle pixels_of(const Window& window) const { return vidno::pixels_of(area_, window); }
 
     bool operator==(const Picture&) const = default;
 

@@ -9,9 +9,9 @@
 #include "check/checked_trace.h"
 #include "format/event_text.h"
 #include "format/trace_reader.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 #include "run/write_trace.h"
-#include "state/floating_horizon_state.h"
-#include "state/state.h"
 #include "support/random_curves.h"
 
 using namespace vidno;
@@ -100,7 +100,7 @@ TEST_CASE("Curves: the lines are rebuilt at every level, and their hash is that 
             FloatingHorizonTraceReader reader = reader_of(traced(surface, choice, detail).text);
             FloatingHorizonState state(reader.header());
             while (const auto event = reader.next()) state.apply(*event);
-            CHECK(same_lines(state.lines(), own));
+            CHECK(same_lines(state.values().lines, own));
             REQUIRE(reader.end().has_value());
             CHECK(reader.end()->hash == lines_hash(own));
         }
@@ -148,7 +148,7 @@ TEST_CASE("Curves: read back and written again the bytes are the same, twice tra
             writer.hear(*event);
             state.apply(*event);
         }
-        writer.finish("lines", lines_hash(state.lines()));
+        writer.finish("lines", lines_hash(state.values().lines));
         CHECK(again == text);
     }
 }

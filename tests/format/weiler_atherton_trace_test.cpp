@@ -12,8 +12,8 @@
 #include "format/trace_reader.h"
 #include "output.h"
 #include "regions/region_output.h"
+#include "replay/state.h"
 #include "run/write_trace.h"
-#include "state/state.h"
 #include "support/scenes.h"
 #include "vidno/admission.h"
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "format/trace_reader.h"
-#include "state/floating_horizon_state.h"
-#include "state/state.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 #include "support/agreement.h"
 
 using namespace vidno;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "state/floating_horizon_state.h"
+#include "replay/floating_horizon_state.h"
 #include "support/kernels.h"
 #include "support/random_curves.h"
 #include "support/rebuilt.h"
@@ -43,8 +43,8 @@ private:
         const Area& area = rebuilt_->state.header().scene.curves->area;
         for (int x = area.x; x < area.right(); ++x) {
             const auto column = std::size_t(x - area.x);
-            expect(own_->upper[x], rebuilt_->state.upper()[column]);
-            expect(own_->lower[x], rebuilt_->state.lower()[column]);
+            expect(own_->upper[x], rebuilt_->state.values().horizons.upper[column]);
+            expect(own_->lower[x], rebuilt_->state.values().horizons.lower[column]);
         }
     }
     void expect(const auto& own, const std::optional<Value>& told) {
@@ -64,15 +64,15 @@ void check_rebuilt(const AdmittedCurves& scene) {
         CHECK(rebuilt.compared >= 2 * scene->area.width);
         CHECK(rebuilt.different == 0);
         CHECK(rebuilt.state.calls().size() == 1);
-        REQUIRE(rebuilt.state.lines().size() == own.size());
+        REQUIRE(rebuilt.state.values().lines.size() == own.size());
         for (std::size_t i = 0; i < own.size(); ++i) {
             const auto same = [](const auto& a, const LineEnd<Value>& b) {
                 return as_value<K>(a.point.x) == b.point.x && as_value<K>(a.point.y) == b.point.y && a.left == b.left &&
                        a.right == b.right;
             };
-            CHECK(rebuilt.state.lines()[i].segment == own[i].segment);
-            CHECK(same(own[i].from, rebuilt.state.lines()[i].from));
-            CHECK(same(own[i].to, rebuilt.state.lines()[i].to));
+            CHECK(rebuilt.state.values().lines[i].segment == own[i].segment);
+            CHECK(same(own[i].from, rebuilt.state.values().lines[i].from));
+            CHECK(same(own[i].to, rebuilt.state.values().lines[i].to));
         }
     }
 }

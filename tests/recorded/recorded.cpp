@@ -30,13 +30,13 @@
 #include "picture/image.h"
 #include "random_scenes.h"
 #include "regions/region_output.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 #include "run/floating_horizon_run.h"
 #include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "scene/surface.h"
-#include "state/floating_horizon_state.h"
-#include "state/state.h"
 
 namespace vidno::recorded {
 

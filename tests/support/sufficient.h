@@ -7,9 +7,9 @@
 #include <concepts>
 
 #include "rebuilt.h"
+#include "replay/state.h"
 #include "run/run.h"
 #include "stage.h"
-#include "state/state.h"
 
 namespace vidno::test {
 
@@ -32,14 +32,15 @@ public:
     }
     void summary(Line at, const auto& found) {
         Base::summary(at, found);
-        rebuilt_->expect(rebuilt_->state.count() == found.polygon_count &&
-                         rebuilt_->state.has_surround() == found.has_surround);
+        const auto& rebuilt = rebuilt_->state.warnock().found();
+        rebuilt_->expect(rebuilt.count == found.polygon_count && rebuilt.has_surround == found.has_surround);
     }
     void clip_list(Line at, const auto& vertices) {
         Base::clip_list(at, vertices);
-        rebuilt_->expect(equal(vertices, rebuilt_->state.clip()->vertices, [](const auto& own, const auto& v) {
-            return as_value<K>(own.x) == v.x && as_value<K>(own.y) == v.y && as_value<K>(own.z) == v.z;
-        }));
+        rebuilt_->expect(
+            equal(vertices, rebuilt_->state.warnock().clip()->vertices, [](const auto& own, const auto& v) {
+                return as_value<K>(own.x) == v.x && as_value<K>(own.y) == v.y && as_value<K>(own.z) == v.z;
+            }));
     }
     void join(Line at, Relation relation, const auto& list) {
         Base::join(at, relation, list);
@@ -51,14 +52,15 @@ public:
     }
     void hiding(Line at, const auto* polygon) {
         Base::hiding(at, polygon);
-        rebuilt_->expect(rebuilt_->state.has_surround() == (polygon != nullptr));
+        rebuilt_->expect(rebuilt_->state.warnock().found().has_surround == (polygon != nullptr));
     }
     void ael_sort(Line at, const auto& entries, const auto& next) {
         Base::ael_sort(at, entries, next);
-        rebuilt_->expect(equal(entries, rebuilt_->state.ael(), [](const auto& own, const auto& entry) {
-            return own.index == entry.edge && as_value<K>(own.x) == entry.x && as_value<K>(own.z) == entry.z &&
-                   as_value<K>(own.dx) == entry.dx && as_value<K>(own.dz) == entry.dz;
-        }));
+        rebuilt_->expect(
+            equal(entries, rebuilt_->state.z_buffer().active_edges(), [](const auto& own, const auto& entry) {
+                return own.index == entry.edge && as_value<K>(own.x) == entry.x && as_value<K>(own.z) == entry.z &&
+                       as_value<K>(own.dx) == entry.dx && as_value<K>(own.dz) == entry.dz;
+            }));
     }
 
 private:
@@ -67,17 +69,18 @@ private:
     }
 
     void compare_windows(const auto& windows) {
-        rebuilt_->expect(equal(windows, rebuilt_->state.stack(), [](const auto& own, const auto& stacked) {
+        const WarnockState& rebuilt = rebuilt_->state.warnock();
+        rebuilt_->expect(equal(windows, rebuilt.stack(), [&](const auto& own, const auto& stacked) {
             return own.window == stacked.window &&
-                   equal(*own.polygons, *stacked.apl, [](const auto& active, const auto& entry) {
+                   equal(*own.polygons, rebuilt.list(stacked).entries(), [](const auto& active, const auto& entry) {
                        return active.polygon->index == entry.first.index && active.surrounding == entry.second;
                    });
         }));
     }
 
     void compare_list(Relation relation, const auto& list) {
-        const State& state = rebuilt_->state;
-        const auto& rebuilt = relation == Relation::surrounding ? state.surrounding() : state.outside();
+        const WarnockState& state = rebuilt_->state.warnock();
+        const auto& rebuilt = relation == Relation::surrounding ? state.joined().surrounding : state.joined().outside;
         rebuilt_->expect(equal(list, rebuilt, [](const auto& own, const auto& entry) {
             return own.polygon->index == entry.polygon.index && own.level == entry.level;
         }));
@@ -104,7 +107,7 @@ int check_rebuilt(const AdmittedScene& scene, Method method) {
             const typename K::Depth stored = stage.run.depth_buffer.at(x, y);
             const bool none = !stage.run.kernel.nearer(stored, stage.run.kernel.farthest(), Pixel{x, y});
             const Value own = none ? Value::minus_infinite() : as_value<K>(stage.run.kernel.finite(stored));
-            different += own == *rebuilt.state.depth(x, y) ? 0 : 1;
+            different += own == rebuilt.state.screen().depths()->at(x, y) ? 0 : 1;
         }
     }
     CHECK_MESSAGE(different == 0, "cells of Z");

@@ -8,8 +8,8 @@
 #include "format/trace_reader.h"
 #include "output.h"
 #include "picture/image.h"
-#include "state/floating_horizon_state.h"
-#include "state/state.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 
 namespace vidno::cli {
 
@@ -26,13 +26,13 @@ FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
 }
 
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
-std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.lines()); }
+std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.values().lines); }
 
 /// The painted picture or the drawn lines, in the format given by the file name.
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
 std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
-    return figures::encoded(figures::drawn_lines(state.lines(), surface.curves->area), {surface.name}, name);
+    return figures::encoded(figures::drawn_lines(state.values().lines, surface.curves->area), {surface.name}, name);
 }
 
 /// Compares the file's last line with what was read.

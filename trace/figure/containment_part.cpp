@@ -72,7 +72,7 @@ private:
 }  // namespace
 
 void draw_containment(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
-    const auto& current = moment.state().current();
+    const auto& current = moment.state().warnock().current();
     if (!current) return;
     Containment containment(to, moment, current->window, plane, style);
     containment.rays();

@@ -1,7 +1,7 @@
 /// FloatingHorizonMoment: a step of a run of curves with everything that a figure shows of it, rebuilt from the events alone.
 #pragma once
 
-#include "state/floating_horizon_state.h"
+#include "replay/floating_horizon_state.h"
 
 namespace vidno::figures {
 

@@ -86,7 +86,7 @@ struct LineMarks {
 std::string flag_text(const std::string& x, const std::string& flag,
                       const std::optional<FloatingHorizonState::Looked>& looked) {
     if (!looked) return "";
-    return x + " = " + integer_text(looked->x) + ", " + flag + " = " + integer_text(int(looked->flag));
+    return x + " = " + integer_text(looked->first) + ", " + flag + " = " + integer_text(int(looked->second));
 }
 
 }  // namespace
@@ -99,24 +99,25 @@ Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
 }
 
 void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, double width) {
-    add_lines(to, joined(moment.state().lines(), plane), {ink, width}, plane);
+    add_lines(to, joined(moment.state().values().lines, plane), {ink, width}, plane);
 }
 
 void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style,
                    double width) {
-    add_lines(to, horizon_lines(moment.state().upper(), plane), upper_stroke(style, width), plane);
-    add_lines(to, horizon_lines(moment.state().lower(), plane), lower_stroke(style, width), plane);
+    add_lines(to, horizon_lines(moment.state().values().horizons.upper, plane), upper_stroke(style, width), plane);
+    add_lines(to, horizon_lines(moment.state().values().horizons.lower, plane), lower_stroke(style, width), plane);
 }
 
 void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
     constexpr double dots_from = 1.5;  // millimetres between samples
     const FloatingHorizonState& state = moment.state();
-    if (!state.curve()) return;
-    const auto& samples = moment.scene().curves[std::size_t(*state.curve())].samples;
+    if (!state.values().curve) return;
+    const auto& samples = moment.scene().curves[std::size_t(*state.values().curve)].samples;
     Polyline curve, segment;
     for (const auto& [x, y] : samples) {
         curve.push_back(plane.at(x, y));
-        const bool at_hand = state.segment() && (x == state.segment()->first || x == state.segment()->second);
+        const bool at_hand = state.values().place.segment &&
+                             (x == state.values().place.segment->first || x == state.values().place.segment->second);
         if (at_hand) segment.push_back(plane.at(x, y));
     }
     add_lines(to, {curve}, {faint, 0.5}, plane);
@@ -125,9 +126,10 @@ void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const 
         for (const Point& at : curve) add_dot(to, at, 0.35, plane, faint);
     }
     if (!segment.empty()) add_lines(to, {segment}, {deep(faint, style.greyscale), 1.5}, plane);
-    if (const auto& looked = state.current() ? state.current() : state.previous()) {
+    if (const auto& looked =
+            state.values().place.current ? state.values().place.current : state.values().place.previous) {
         const Box area = plane.box(whole_area(plane.area));
-        const double x = plane.at(looked->x, 0).x;
+        const double x = plane.at(looked->first, 0).x;
         add_lines(to, {{{x, area.y}, {x, area.bottom()}}}, {faint, 0.25, {2, 2}}, plane);
     }
     if (moment.event()) moment.event()->visit(LineMarks{to, plane});
@@ -148,8 +150,8 @@ double add_horizon_names(Drawing& to, std::string_view upper, std::string_view l
 Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {
     Drawing drawing{width, legend_height};
     const double x = add_horizon_names(drawing, "upper", "lower", style);
-    const std::string before = flag_text("x", "Pflag", moment.state().previous());
-    const std::string now = flag_text("x′", "Tflag", moment.state().current());
+    const std::string before = flag_text("x", "Pflag", moment.state().values().place.previous);
+    const std::string now = flag_text("x′", "Tflag", moment.state().values().place.current);
     const std::string text = before + (now.empty() ? "" : "; ") + now;
     if (x + width_of(text, small_size) * style.letters <= width) {
         drawing.add(Label{text, {width, legend_base}, small_size, Anchor::end, false, ink});

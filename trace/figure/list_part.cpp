@@ -12,7 +12,7 @@ namespace vidno::figures {
 namespace {
 
 /// z at two corners of the window.
-std::string corner_depths(const std::array<Value, 4>& corners, Language language, std::array<Corner, 2> shown) {
+std::string corner_depths(const WarnockState::CornerDepths& corners, Language language, std::array<Corner, 2> shown) {
     const auto& words = words_of(language);
     constexpr std::size_t two_on_a_line = 10;
     std::string text;
@@ -21,7 +21,7 @@ std::string corner_depths(const std::array<Value, 4>& corners, Language language
         text += (text.empty()                    ? ""
                  : language == Language::russian ? "; "
                                                  : ", ") +
-                std::string(words.corners[place]) + " " + readable(corners[place], language, two_on_a_line);
+                std::string(words.corners[place]) + " " + readable(corners.of[place], language, two_on_a_line);
     }
     return text;
 }
@@ -31,20 +31,21 @@ Table active_polygons(const Moment& moment, const Style& style) {
     const State& state = moment.state();
     Table table{.title = std::string(words.active_polygons),
                 .columns = {{"P", 0.2}, {std::string(words.surrounds), 0.22}, {std::string(words.nearer_at), 0.58}}};
-    if (!state.current()) {
+    if (!state.warnock().current()) {
         table.below.emplace_back(words.empty);
         return table;
     }
-    table.below.push_back("U = " + readable(state.current()->window, style.language) + ", " + std::string(words.stack) +
-                          ": " + std::to_string(state.stack().size()));
-    if (state.corners()) {
+    table.below.push_back("U = " + readable(state.warnock().current()->window, style.language) + ", " +
+                          std::string(words.stack) + ": " + std::to_string(state.warnock().stack().size()));
+    if (state.warnock().last().corners) {
         table.below.push_back(std::string(words.corner_depths) + ":");
+        table.below.push_back(corner_depths(*state.warnock().last().corners, style.language,
+                                            {Corner::left_bottom, Corner::right_bottom}));
         table.below.push_back(
-            corner_depths(*state.corners(), style.language, {Corner::left_bottom, Corner::right_bottom}));
-        table.below.push_back(corner_depths(*state.corners(), style.language, {Corner::left_top, Corner::right_top}));
+            corner_depths(*state.warnock().last().corners, style.language, {Corner::left_top, Corner::right_top}));
     }
     const auto in_hand = polygon_in_hand(moment);
-    for (const auto& [polygon, surrounds] : *state.current()->apl) {
+    for (const auto& [polygon, surrounds] : state.warnock().list(*state.warnock().current()).entries()) {
         const auto& [id, color, vertices, edge_on] = moment.scene().polygons[std::size_t(polygon.index)];
         const auto nearer = moment.nearer_at().find(polygon.index);
         if (in_hand == polygon.index) table.current = table.rows.size();
@@ -79,13 +80,14 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
                             {std::string(words.until), 0.115, Anchor::end},
                             {"Δx", share, Anchor::end},
                             {"Δz", share, Anchor::end}}};
-    if (state.polygon()) table.note = "P = " + moment.scene().polygons[std::size_t(*state.polygon())].id;
-    if (state.y()) table.note += ", yₜ = " + readable(*state.y(), style.language);
+    if (const auto p = state.z_buffer().polygon())
+        table.note = "P = " + moment.scene().polygons[std::size_t(p->index)].id;
+    if (const auto& y = state.z_buffer().last().y) table.note += ", yₜ = " + readable(*y, style.language);
     const auto in_hand = edge_in_hand(moment);
     const auto cell = [&](const Value& value, std::size_t most) {
         return Table::Cell{readable(value, style.language, most)};
     };
-    for (const auto& entry : state.ael()) {
+    for (const auto& entry : state.z_buffer().active_edges()) {
         if (in_hand == entry.edge) table.current = table.rows.size();
         table.rows.push_back({{std::to_string(entry.edge)},
                               cell(entry.x, room),
@@ -94,7 +96,7 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
                               cell(entry.dx, room),
                               cell(entry.dz, room)});
     }
-    if (state.ael().empty()) table.below.emplace_back(words.empty);
+    if (state.z_buffer().active_edges().empty()) table.below.emplace_back(words.empty);
     return table;
 }
 

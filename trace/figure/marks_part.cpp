@@ -14,13 +14,13 @@ public:
         : Marker(to, plane, style), moment_(moment) {}
 
     void state() {
-        if (const auto& clip = moment_.state().clip()) {
+        if (const auto& clip = moment_.state().warnock().clip()) {
             outline(clip->vertices, true, Stroke{ink, 0.8, {3, 1.5}});
             outline(clip->next, false);
             for (const auto& vertex : clip->next) point(vertex.x, vertex.y, true);
         }
-        const auto& y = moment_.state().y();
-        for (const auto& entry : moment_.state().ael()) {
+        const auto& y = moment_.state().z_buffer().last().y;
+        for (const auto& entry : moment_.state().z_buffer().active_edges()) {
             if (y) point(at(entry.x, *y), true, ink);
         }
     }
@@ -65,7 +65,7 @@ public:
     }
     void operator()(const event::ShownLine& e) { on_row(e.row, e.from.x, e.to.x); }
     void operator()(const event::Columns& e) {
-        pixels({e.first, moment_.state().row().value_or(0), e.end - e.first, 1}, dashed);
+        pixels({e.first, moment_.state().z_buffer().last().row.value_or(0), e.end - e.first, 1}, dashed);
     }
     void operator()(const event::Edge& e) { line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false); }
     void operator()(const event::Horizontal& e) { edge_in_hand(e.edge); }
@@ -114,11 +114,11 @@ private:
         line({at(left, row + 0.5), at(right, row + 0.5)}, false);
     }
     void edge_in_hand(int number) {
-        const auto polygon = moment_.state().polygon();
-        if (polygon) edge(moment_.scene().polygons[std::size_t(*polygon)], number);
+        const auto polygon = moment_.state().z_buffer().polygon();
+        if (polygon) edge(moment_.scene().polygons[std::size_t(polygon->index)], number);
     }
     void corner(Corner corner, bool yes) {
-        const auto& current = moment_.state().current();
+        const auto& current = moment_.state().warnock().current();
         if (!current) return;
         const Window& window = current->window;
         const bool right = corner == Corner::right_bottom || corner == Corner::right_top;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "state/state.h"
+#include "replay/state.h"
 
 namespace vidno::figures {
 
@@ -74,7 +74,8 @@ private:
 
 /// The index of the polygon that the step is about, or of the current one; none if there is no such polygon.
 inline std::optional<int> polygon_in_hand(const Moment& moment) {
-    std::optional<int> place = moment.state().polygon();
+    std::optional<int> place;
+    if (const auto polygon = moment.state().z_buffer().polygon()) place = polygon->index;
     if (!moment.event()) return place;
     moment.event()->visit([&](const auto& e) {
         if constexpr (requires { e.polygon.index; }) place = e.polygon.index;

@@ -68,9 +68,9 @@ void PixelHistory::take(const Moment& moment) {
     if (!found) return;
     const Line at = event.visit([](const auto& e) { return e.at; });
     std::string note = note_of(event, moment.scene(), language_);
-    const auto polygon = moment.state().polygon();
+    const auto polygon = moment.state().z_buffer().polygon();
     const bool of_line = event.get_if<event::Span>() || event.get_if<event::Pixel>() || event.get_if<event::Columns>();
-    if (of_line && polygon) note = moment.scene().polygons[std::size_t(*polygon)].id + ": " + note;
+    if (of_line && polygon) note = moment.scene().polygons[std::size_t(polygon->index)].id + ": " + note;
     entries_.push_back({moment.state().step(), at, std::move(note), found->answer, found->painted});
 }
 

@@ -17,9 +17,9 @@ Path filled(const RegionLoops& region, const Color& color, const Plane& plane, c
     return {loops_of(region, plane), true, tinted(color, style.greyscale), Stroke{ink}};
 }
 
-std::string names_of(const std::vector<PolygonPart>& parts, const Scene& scene) {
+std::string names_of(const WeilerAthertonState::Pieces& parts, const Scene& scene) {
     std::string names;
-    for (const auto& part : parts) names += (names.empty() ? "" : ", ") + polygon_of(scene, part.polygon).id;
+    for (const auto& part : parts) names += (names.empty() ? "" : ", ") + polygon_of(scene, part->polygon).id;
     return names.empty() ? "∅" : names;
 }
 
@@ -79,30 +79,30 @@ Drawing drawn_lines(const SceneLines& lines, HiddenLines hidden, const Scene& sc
 }
 
 void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
-    for (const auto& [polygon, region, ground] : moment.state().visible()) {
-        to.add(filled(region, polygon_of(moment.scene(), polygon).color, plane, style));
+    for (const auto& piece : moment.state().weiler_atherton().visible()) {
+        to.add(filled(piece->region, polygon_of(moment.scene(), piece->polygon).color, plane, style));
     }
 }
 
 void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
-    const State& state = moment.state();
+    const WeilerAthertonState& state = moment.state().weiler_atherton();
     const auto outline = [&](const PolygonPart& part, double width, std::vector<double> dashes) {
         const Color color = deep(polygon_of(moment.scene(), part.polygon).color, style.greyscale);
         to.add(Path{loops_of(part.region, plane), true, {}, Stroke{color, width, std::move(dashes)}});
     };
     for (const auto& list : state.lists()) {
-        for (const auto& part : list) outline(part, 0.4, {0.8, 1.4});
+        for (const auto& part : list) outline(*part, 0.4, {0.8, 1.4});
     }
     const auto& in_hand = state.list_in_hand();
     if (!in_hand) return;
-    for (const auto& part : in_hand->outside) outline(part, 0.8, {3, 1.5});
-    for (const auto& part : in_hand->inside) outline(part, 0.8, {});
-    add_rimmed(to, Path{loops_of(in_hand->pieces.front().region, plane), true, {}, Stroke{ink, 1}});
+    for (const auto& part : in_hand->outside) outline(*part, 0.8, {3, 1.5});
+    for (const auto& part : in_hand->inside) outline(*part, 0.8, {});
+    add_rimmed(to, Path{loops_of(in_hand->pieces.front()->region, plane), true, {}, Stroke{ink, 1}});
 }
 
 Drawing region_list(const Moment& moment, const Style& style, double width) {
     const auto& words = words_of(style.language);
-    const State& state = moment.state();
+    const WeilerAthertonState& state = moment.state().weiler_atherton();
     Table table{.title = std::string(words.list_in_hand),
                 .columns = {{"P", 0.4},
                             {std::string(words.vertices), 0.3, Anchor::end},
@@ -113,7 +113,8 @@ Drawing region_list(const Moment& moment, const Style& style, double width) {
         table.below = {std::string(words.empty), stack};
         return drawn(table, width, style.letters);
     }
-    for (const auto& [polygon, region, ground] : in_hand->pieces) {
+    for (const auto& piece : in_hand->pieces) {
+        const auto& [polygon, region, ground] = *piece;
         std::size_t vertices = 0;
         for (const auto& loop : region) vertices += loop.size();
         const auto& source = polygon_of(moment.scene(), polygon);

@@ -40,25 +40,27 @@ std::vector<Polyline> visited_windows(const Moment& moment, const Plane& plane) 
 void draw_quadtree(Drawing& to, const Moment& moment, const Plane& plane) {
     draw_visited(to, moment, plane);
     std::vector<Polyline> stacked;
-    for (const auto& [window, apl] : moment.state().stack()) {
+    for (const auto& [window, list] : moment.state().warnock().stack()) {
         for (auto& line : clipped(shrunk(plane.box(window)).corners(), true, plane.shown)) {
             stacked.push_back(std::move(line));
         }
     }
     to.add(outlined(std::move(stacked), {Color{0x4a, 0x52, 0x60}, 0.4, {0.8, 1.4}}));
-    if (const auto& current = moment.state().current()) add_rimmed(to, outlined(cut(plane, current->window), {ink, 1}));
+    if (const auto& current = moment.state().warnock().current())
+        add_rimmed(to, outlined(cut(plane, current->window), {ink, 1}));
 }
 
 void draw_scanline(Drawing& to, const Moment& moment, const Plane& plane) {
     const State& state = moment.state();
-    if (state.row()) {
-        const Box row = plane.box(plane.area.x, *state.row(), plane.area.width, 1);
-        to.add(outlined(clipped(row.corners(), true, plane.shown), {ink, 0.5}));
+    if (const auto row = state.z_buffer().last().row) {
+        const Box box = plane.box(plane.area.x, *row, plane.area.width, 1);
+        to.add(outlined(clipped(box.corners(), true, plane.shown), {ink, 0.5}));
     }
-    if (!state.polygon()) return;
-    const auto& vertices = moment.scene().polygons[std::size_t(*state.polygon())].vertices;
+    const auto polygon = state.z_buffer().polygon();
+    if (!polygon) return;
+    const auto& vertices = moment.scene().polygons[std::size_t(polygon->index)].vertices;
     std::vector<Polyline> edges;
-    for (const auto& entry : state.ael()) {
+    for (const auto& entry : state.z_buffer().active_edges()) {
         const auto& a = vertices[std::size_t(entry.edge) % vertices.size()];
         const auto& b = vertices[(std::size_t(entry.edge) + 1) % vertices.size()];
         for (auto& line : clipped({plane.at(a.x, a.y), plane.at(b.x, b.y)}, false, plane.shown)) {

@@ -17,15 +17,15 @@ WorkedCurves::WorkedCurves(const Surface& surface)
 }
 
 void WorkedCurves::hear(const event::Intersection& e) {
-    const VisibilityFlag from = end_.state().previous()->flag, to = end_.state().current()->flag;
+    const VisibilityFlag from = end_.state().values().place.previous->second, to = end_.state().values().place.current->second;
     const VisibilityFlag side = e.at == Line::FH7 ? side_beside(from, to) : side_beside(to, from);
     curves_.back().meetings.push_back({e.point, side == VisibilityFlag::above});
 }
 
 void WorkedCurves::hear(const event::SideEdge& e) {
     if (e.at != Line::FH10) return;
-    curves_.back().upper = end_.state().upper();
-    curves_.back().lower = end_.state().lower();
+    curves_.back().upper = end_.state().values().horizons.upper;
+    curves_.back().lower = end_.state().values().horizons.lower;
 }
 
 }  // namespace vidno::figures

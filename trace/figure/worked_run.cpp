@@ -28,7 +28,10 @@ void WorkedRun::hear(const event::Pop& e) {
     windows_.push_back({e.window});
     windows_.back().step = end_.state().step();
     if (has_relations()) return;
-    for (const auto& [polygon, surrounds] : *end_.state().current()->apl) entry(polygon).surrounds = surrounds;
+    const WarnockState& warnock = end_.state().warnock();
+    for (const auto& [polygon, surrounds] : warnock.list(*warnock.current()).entries()) {
+        entry(polygon).surrounds = surrounds;
+    }
 }
 
 void WorkedRun::hear(const event::Decide& e) {
@@ -40,7 +43,9 @@ void WorkedRun::hear(const event::Decide& e) {
 void WorkedRun::hear(const event::ShownLine& e) {
     const auto& caller = end_.state().calls().end()[-2];
     const bool is_level = caller.at == Line::Z9;
-    rows_.push_back({*end_.state().polygon(), e.row, is_level ? std::vector<State::AelEntry>{} : end_.state().ael()});
+    const ZBufferState& scan = end_.state().z_buffer();
+    const auto edges = is_level ? std::vector<ZBufferState::ActiveEdge>{} : scan.active_edges();
+    rows_.push_back({scan.polygon()->index, e.row, edges});
     rows_.back().step = end_.state().step();
 }
 
@@ -53,7 +58,9 @@ void WorkedRun::hear(const event::Box& e) {
 void WorkedRun::hear(const event::PopList&) {
     auto& list = lists_.emplace_back();
     list.step = end_.state().step();
-    for (const auto& piece : end_.state().list_in_hand()->pieces) list.polygons.push_back(piece.polygon.index);
+    for (const auto& piece : end_.state().weiler_atherton().list_in_hand()->pieces) {
+        list.polygons.push_back(piece->polygon.index);
+    }
 }
 
 void WorkedRun::hear(const event::Clipped& e) {
@@ -73,7 +80,7 @@ void WorkedRun::hear(const event::Columns& e) {
 
 void WorkedRun::hear(const event::Span& e) {
     for (const auto& [first, end] : e.runs) {
-        for (int x = first; x < end; ++x) shown_[{x, e.row}] = *end_.state().polygon();
+        for (int x = first; x < end; ++x) shown_[{x, e.row}] = end_.state().z_buffer().polygon()->index;
     }
 }
 

@@ -30,7 +30,7 @@ struct WorkedWindow {
 /// The span of a polygon that is shown on a row: between two edges of the AEL, or a level edge, which is in no list.
 struct WorkedRow {
     int polygon, row;
-    std::vector<State::AelEntry> edges{};
+    std::vector<ZBufferState::ActiveEdge> edges{};
     int first = 0, end = 0;  // the pixels; none if there are no centres between
     std::uint64_t step = 0;
 };

@@ -277,7 +277,7 @@ private:
         put(fitted(name_of(*polygon), box.width - 0.4, small_size, true), {middle, base}, small_size, Anchor::middle,
             true);
         if (!has_depth) return;
-        const std::string depth = readable(*run_.end().state().depth(x, y), language());
+        const std::string depth = readable(run_.end().state().screen().depths()->at(x, y), language());
         put(fitted(depth, box.width - 0.4, depth_size), {middle, box.bottom() - box.height * 0.18}, depth_size,
             Anchor::middle);
     }

@@ -1528,6 +1528,10 @@ struct EventTypes {
         ((!std::is_same_v<E, Events> && ++place) && ...);
         return place;
     }
+    template <class E>
+    static constexpr bool has() {
+        return place_of<E>() < count;
+    }
 };
 
 template <class... A, class... B>
@@ -1570,8 +1574,7 @@ concept EventType = event_place<E> < AllEvents::count;
 
 /// Events that only runs of curves report.
 template <class E>
-concept FloatingHorizonEvent = FloatingHorizonEvents::place_of<E>()
-< FloatingHorizonEvents::count;
+concept FloatingHorizonEvent = FloatingHorizonEvents::has<E>();
 
 class Event;
 
@@ -1614,6 +1617,9 @@ class Event : public EventView {
 public:
     template <EventType E>
     Event(E event) : Event(std::make_shared<const E>(std::move(event))) {}
+
+    /// Whether both are copies of one event.
+    bool operator==(const Event& other) const { return owner_ == other.owner_; }
 
 private:
     template <class E>

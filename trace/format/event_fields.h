@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 
 #include "format/event.h"
@@ -34,6 +35,8 @@ template <>
 inline constexpr int list_size<ColumnRun> = 2;
 template <class A, class B>
 inline constexpr int list_size<std::pair<A, B>> = 2;
+template <class... Items>
+inline constexpr int list_size<std::tuple<Items...>> = int(sizeof...(Items));
 template <>
 inline constexpr int list_size<ValueVertex> = 3;
 template <>

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "format/event_fields.h"
+#include "format/field_writer.h"
 
 // Header-only programs, which link no library, define this as `inline`.
 #ifndef VIDNO_INLINE
@@ -66,84 +66,6 @@ private:
     std::size_t bytes_ = 0;
 };
 
-/// Writes one event, to a place with room for it.
-class LineWriter {
-public:
-    LineWriter(char* to, const PolygonNames& names, RememberedShortest& shortest)
-        : out_{to}, names_(names), shortest_(shortest) {}
-
-    /// Gives the end of the line.
-    template <class E>
-    char* line(const E& event) {
-        out_ += std::string_view(R"({"e":")");
-        out_ += E::kind.name;
-        out_ += std::string_view(R"(","at":")");
-        out_ += line_names[std::size_t(event.at)];
-        out_ += '"';
-        E::fields(event,
-                  [&](std::string_view key, const auto& v, const Meaning& = any_number) { this->field(key, v); });
-        out_ += std::string_view("}\n");
-        return out_.at;
-    }
-
-private:
-    void field(std::string_view key, const auto& v) {
-        out_ += std::string_view(",\"");
-        out_ += key;
-        out_ += std::string_view("\":");
-        value(v);
-    }
-    template <class T>
-    void field(std::string_view key, const std::optional<T>& v) {
-        if (v) field(key, *v);
-    }
-
-    void value(int v) { append_integer(out_, v); }
-    void value(bool v) { out_ += std::string_view(v ? "true" : "false"); }
-    void value(double v) { shortest_.append(out_, v); }
-    void value(const std::string& v) { append_string(out_, v); }
-    void value(const Value& v) { v.fraction ? value(*v.fraction) : value(v.number); }
-    void value(const Fraction& v) { v.text.empty() ? null() : name(v.text); }
-    void value(const Color& v) { append_color(out_, v); }
-    void value(PolygonPlace v) { out_ += std::string_view(names_[std::size_t(v.index)]); }
-    void value(Sign v) { value(int(v)); }
-    void value(VisibilityFlag v) { value(int(v)); }
-    void value(Word auto v) { name(words_of(v)[std::size_t(v)]); }
-    void value(const Answer& v) {
-        std::visit([&](const auto& answer) { value(answer); }, v);
-    }
-    void value(const Truth& v) { v.answer ? value(*v.answer) : null(); }
-    void value(const Listed auto& v) {
-        with_items(v, [&](const auto& first, const auto&... rest) {
-            out_ += '[';
-            this->value(first);
-            ((out_ += ',', this->value(rest)), ...);
-            out_ += ']';
-        });
-    }
-    template <class T>
-    void value(const std::vector<T>& items) {
-        out_ += '[';
-        bool first = true;
-        for (const auto& item : items) {
-            if (!std::exchange(first, false)) out_ += ',';
-            value(item);
-        }
-        out_ += ']';
-    }
-
-    void null() { out_ += std::string_view("null"); }
-    void name(std::string_view text) {
-        out_ += '"';
-        out_ += text;
-        out_ += '"';
-    }
-
-    Pen out_;
-    const PolygonNames& names_;
-    RememberedShortest& shortest_;
-};
-
 }  // namespace
 
 VIDNO_INLINE PolygonNames polygon_names(const Scene& scene) {
@@ -158,12 +80,13 @@ VIDNO_INLINE PolygonNames polygon_names(const Scene& scene) {
 
 VIDNO_INLINE void EventText::line(Text& out, const EventView& event) {
     event.visit([&](const auto& e) {
-        out.put(LineBound(names_)(e), [&](char* to) { return LineWriter(to, names_, shortest_).line(e); });
+        out.put(LineBound(names_)(e), [&](char* to) {
+            FieldWriter<Pen> writer(Pen{to}, names_, shortest_);
+            writer.value(e);
+            *writer.out().at = '\n';
+            return writer.out().at + 1;
+        });
     });
-}
-
-VIDNO_INLINE void EventText::value(Text& out, const Value& v) {
-    v.fraction ? append_string(out, *v.fraction) : shortest_.append(out, v.number);
 }
 
 }  // namespace vidno

@@ -21,8 +21,6 @@ public:
     /// Appends the event as one line, newline included.
     void line(Text& out, const EventView& event);
 
-    void value(Text& out, const Value& v);
-
 private:
     PolygonNames names_;
     RememberedShortest shortest_;

@@ -1,5 +1,6 @@
 #include "format/floating_horizon_trace.h"
 
+#include "format/field_writer.h"
 #include "format/trace_writer.h"
 
 namespace vidno {
@@ -17,20 +18,13 @@ std::string header_json(const FloatingHorizonHeader& header) {
 
 std::string lines_hash(const DrawnLines& lines) {
     Text text;
-    EventText numbers({});
-    const auto point = [&](const Point<Value>& p) {
-        text += ",[";
-        numbers.value(text, p.x);
-        text += ',';
-        numbers.value(text, p.y);
-        text += ']';
-    };
-    for (const auto& line : lines) {
-        text += '[';
-        append_integer(text, line.segment.curve);
-        point(line.from.point);
-        point(line.to.point);
-        text += std::string_view("]\n");
+    RememberedShortest shortest;
+    const PolygonNames names;
+    FieldWriter<Text&> writer(text, names, shortest);
+    for (const auto& [segment, from, to] : lines) {
+        const auto point = [](const Point<Value>& p) { return ValuePoint{p.x, p.y}; };
+        writer.value(std::tuple(segment.curve, point(from.point), point(to.point)));
+        text += '\n';
     }
     return hash_text(text.view());
 }

@@ -26,6 +26,23 @@ void expect_keys(const JsonNode& object, std::initializer_list<std::string_view>
     }
 }
 
+void expect_trace(const nlohmann::json& first_line) {
+    if (!first_line.is_object()) throw Refused("not an object");
+    if (!first_line.contains("format")) throw Refused("/format: not a trace of format vidno-trace/1");
+    JsonNode(first_line).expect_format("vidno-trace/1");
+}
+
+bool is_of_curves(const nlohmann::json& first_line) {
+    return first_line.contains("method") && first_line["method"] == floating_horizon_method;
+}
+
+AnyHeader read_header(std::string_view first_line) {
+    const nlohmann::json object = parse_line(first_line);
+    expect_trace(object);
+    if (is_of_curves(object)) return read_floating_horizon_header(JsonNode(object));
+    return read_trace_header(JsonNode(object));
+}
+
 TraceHeader read_trace_header(const JsonNode& object) {
     const JsonNode method = member(object, "method");
     if (method.value() == floating_horizon_method) method.refuse("floating-horizon, which this command does not take");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "format/event_reader.h"
 #include "format/floating_horizon_trace.h"
 #include "format/trace_writer.h"
 #include "output.h"
@@ -13,13 +14,6 @@
 namespace vidno {
 
 class JsonNode;
-
-/// The contents of the last line.
-struct TraceEnd {
-    std::uint64_t events = 0;
-    std::string hash;  // of the picture or the lines; empty if partial
-    bool partial = false;
-};
 
 /// A trace whose first line was read: everything that is the same for polygons and curves.
 class TraceFile {
@@ -34,9 +28,9 @@ public:
     std::optional<EventView> next();
 
     /// After the last event: the contents of the last line, none if the file was cut short.
-    const std::optional<TraceEnd>& end() const { return end_; }
+    const std::optional<TraceEnd>& end() const { return reader_->end(); }
 
-    std::uint64_t events() const { return events_; }
+    std::uint64_t events() const { return reader_->events(); }
 
     /// `file:line` for the line that was read last.
     std::string place() const { return file_ + ":" + std::to_string(line_number_); }
@@ -49,17 +43,11 @@ protected:
     Header header_by(Header (*read)(const JsonNode&), std::string_view result);
 
 private:
-    struct Reading;
-
-    std::optional<EventView> read_otherwise();
-
     LineReader lines_;
     std::string file_;
     std::string line_;
     std::unique_ptr<nlohmann::json> first_line_;  // until the header is read
-    std::unique_ptr<Reading> reading_;
-    std::optional<TraceEnd> end_;
-    std::uint64_t events_ = 0;
+    std::unique_ptr<EventReader> reader_;         // once the header is read
     std::uint64_t line_number_ = 1;
 };
 

@@ -174,6 +174,14 @@ Event read_one_of(EventTypes<Events...>, std::size_t place, const JsonNode& obje
 
 }  // namespace
 
+nlohmann::json parse_line(std::string_view line) {
+    try {
+        return parse_json(line);
+    } catch (const NotJson&) {
+        throw Refused("not JSON");
+    }
+}
+
 JsonNode member(const JsonNode& object, std::string_view key) {
     if (!object.has(key)) object.refuse("no key " + std::string(key));
     return object.at(key);

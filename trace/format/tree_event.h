@@ -16,6 +16,9 @@ struct EventContext {
     KnownPolygons polygons{};
 };
 
+/// The values of a line. Throws Refused.
+nlohmann::json parse_line(std::string_view line);
+
 /// Throws Refused.
 Event read_event(const JsonNode& object, const EventContext& context);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grade/judge.h"
-#include "state/state.h"
+#include "replay/state.h"
 
 namespace vidno::grading {
 

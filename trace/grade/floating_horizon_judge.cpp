@@ -28,7 +28,7 @@ void FloatingHorizonJudge::judge(const event::Horizons& e) const {
 }
 
 void FloatingHorizonJudge::judge(const event::Curve&) {
-    if (state_.curve()) finish_curve(curve());
+    if (state_.values().curve) finish_curve(curve());
 }
 
 void FloatingHorizonJudge::finish_curve(int curve) const {
@@ -58,7 +58,8 @@ void FloatingHorizonJudge::judge_told_horizons(int curve) const {
     for (int x = area.x; x < area.right(); ++x) {
         const auto column = std::size_t(x - area.x);
         for (const Side side : {Side::upper, Side::lower}) {
-            const auto told = number((side == Side::upper ? state_.upper() : state_.lower())[column]);
+            const auto told =
+                number((side == Side::upper ? state_.values().horizons.upper : state_.values().horizons.lower)[column]);
             if (truth_.is_horizon(curve, When::after, side, x, told)) continue;
             throw False{
                 Symptom::horizon,
@@ -69,12 +70,12 @@ void FloatingHorizonJudge::judge_told_horizons(int curve) const {
 }
 
 void FloatingHorizonJudge::finish() {
-    if (state_.curve()) finish_curve(curve());
+    if (state_.values().curve) finish_curve(curve());
     for (int c = 0; c < int(truth_.scene().curves.size()); ++c) judge_drawn(c);
 }
 
 void FloatingHorizonJudge::judge(const event::SideEdge& e) const {
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     const auto& samples = truth_.scene().curves[std::size_t(curve())].samples;
     const bool is_left = e.at == Line::FH3;
     const Sample& end = is_left ? samples.front() : samples.back();
@@ -106,7 +107,7 @@ void FloatingHorizonJudge::judge_height(double x, double y) const {
 }
 
 void FloatingHorizonJudge::judge(const event::Height& e) const {
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     judge_column(e.x);
     judge_height(e.x, e.y.number);
     for (const auto& [side, value] : {std::pair(Side::upper, e.upper), std::pair(Side::lower, e.lower)}) {
@@ -119,7 +120,7 @@ void FloatingHorizonJudge::judge(const event::Height& e) const {
 }
 
 void FloatingHorizonJudge::judge(const event::Visibility& e) const {
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     judge_column(e.x);
     if (truth_.may_be(curve(), e.x, e.flag)) return;
     const auto upper = truth_.horizon(curve(), When::before, Side::upper, e.x),
@@ -136,7 +137,7 @@ void FloatingHorizonJudge::judge(const event::Visibility& e) const {
 }
 
 void FloatingHorizonJudge::judge(const event::Intersection& e) const {
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     const double x = e.point.x.number, y = e.point.y.number;
     judge_height(x, y);
     if (truth_.meets_horizon(curve(), x)) return;
@@ -147,7 +148,7 @@ void FloatingHorizonJudge::judge(const event::Intersection& e) const {
 }
 
 void FloatingHorizonJudge::judge(const event::DrawLine& e) {
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     const double from = std::min(e.from.x.number, e.to.x.number), to = std::max(e.from.x.number, e.to.x.number);
     judge_height(e.from.x.number, e.from.y.number);
     judge_height(e.to.x.number, e.to.y.number);
@@ -164,7 +165,7 @@ void FloatingHorizonJudge::judge(const event::DrawLine& e) {
 /// A new height of a horizon must be that of the curve or of a side edge.
 void FloatingHorizonJudge::judge_raised(Side side, int x, double y, bool is_edge) {
     tells_horizons_ = true;
-    if (!state_.curve()) return;
+    if (!state_.values().curve) return;
     if (!is_edge && truth_.is_on_curve(curve(), x, y)) return;
     if (truth_.is_on_edge(curve(), x, y)) return;
     const auto right = truth_.height(curve(), x);

@@ -6,7 +6,7 @@
 
 #include "grade/claims.h"
 #include "grade/curve_truth.h"
-#include "state/floating_horizon_state.h"
+#include "replay/floating_horizon_state.h"
 
 namespace vidno::grading {
 
@@ -25,7 +25,7 @@ public:
     void finish();
 
     /// The index of the current curve, in words; empty if there is none.
-    std::string place() const { return state_.curve() ? std::to_string(*state_.curve()) : ""; }
+    std::string place() const { return state_.values().curve ? std::to_string(*state_.values().curve) : ""; }
 
     /// The parts that the events draw of each curve.
     const std::map<int, DrawnParts>& drawn() const { return drawn_; }
@@ -54,7 +54,7 @@ private:
     void judge_height(double x, double y) const;
     void judge_raised(Side side, int x, double y, bool is_edge);
     std::string horizon_in_words(Side side, int x, const std::optional<double>& y) const;
-    int curve() const { return *state_.curve(); }
+    int curve() const { return *state_.values().curve; }
 
     const Words& say;
     const CurveTruth& truth_;

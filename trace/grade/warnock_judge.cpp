@@ -118,7 +118,7 @@ void WarnockJudge::finish_window() {
     judge_parts();
     if (decided_ != Case::single) return;
     for_pixels([&](int column, int row) {
-        const Color color = state().picture().at(column, row);
+        const Color color = state().screen().color(column, row);
         if (truth().allows(column, row, color)) return;
         throw False{Symptom::clipped_away,
                     say({"the window {} is done: pixel {} shows {}", "окно {} готово: в пикселе {} виден {}"}, window_,
@@ -139,7 +139,7 @@ void WarnockJudge::finish() {
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
-            const Color color = state().picture().at(column, row);
+            const Color color = state().screen().color(column, row);
             if (!truth().allows(column, row, color) && !painted_.contains({column, row})) {
                 throw False{Symptom::not_painted,
                             say({"the run is over, and nothing has painted pixel {}",

@@ -80,7 +80,7 @@ private:
     bool overlooks(int column, int row) const;
     bool needs(int column, int row, int polygon) const;
     bool is_pixel() const { return window_.width <= 1 && window_.height <= 1; }
-    PixelRectangle pixels() const { return state().picture().pixels_of(window_); }
+    PixelRectangle pixels() const { return pixels_of(scene().area, window_); }
 
     /// Calls `with(column, row)` for each pixel of the current window.
     void for_pixels(auto&& with) const {

@@ -136,7 +136,7 @@ void WeilerAthertonJudge::finish() {
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column)
-            judge_pixel(column, row, state().picture().at(column, row));
+            judge_pixel(column, row, state().screen().color(column, row));
     }
 }
 

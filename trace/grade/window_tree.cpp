@@ -71,7 +71,7 @@ void WindowTree::split(std::uint64_t step) {
 
 std::optional<WindowTree::Uncovered> WindowTree::uncovered(const Node& node) const {
     if (!node.split) return std::nullopt;
-    const PixelRectangle pixels = Picture(area_, {}).pixels_of(node.window);
+    const PixelRectangle pixels = pixels_of(area_, node.window);
     for (int row = pixels.y; row < pixels.y + pixels.height; ++row) {
         for (int column = pixels.x; column < pixels.x + pixels.width; ++column) {
             const auto has_it = [&](const Window& part) { return holds_centre(part, column, row); };

@@ -51,7 +51,7 @@ void ZBufferJudge::finish() {
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
-            judge_pixel(column, row, state().picture().at(column, row));
+            judge_pixel(column, row, state().screen().color(column, row));
         }
     }
 }
@@ -108,7 +108,7 @@ void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
 void ZBufferJudge::judge(const event::AelAdd& e) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     judge_edge(*polygon_, e.edge);
-    if (state().y()) judge_entry(e.edge, height(), e.x.number, e.z.number);
+    if (state().z_buffer().last().y) judge_entry(e.edge, height(), e.x.number, e.z.number);
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     const auto &p = vertices[std::size_t(e.edge)], &q = vertices[std::size_t(e.edge + 1) % vertices.size()];
     const auto above = truth().crossing(*polygon_, e.edge, std::min(p.y, q.y)),
@@ -136,13 +136,13 @@ void ZBufferJudge::judge(const event::AelAdd& e) const {
 }
 
 void ZBufferJudge::judge(const event::AelStep& e) const {
-    if (state().y()) judge_entry(e.edge, height() + 1, e.x.number, e.z.number);
+    if (state().z_buffer().last().y) judge_entry(e.edge, height() + 1, e.x.number, e.z.number);
 }
 
 void ZBufferJudge::judge(const event::AelSort& e) const {
     double last = -std::numeric_limits<double>::infinity();
     for (const int edge : e.edges) {
-        const auto& ael = state().ael();
+        const auto& ael = state().z_buffer().active_edges();
         const auto entry = std::find_if(ael.begin(), ael.end(), [&](const auto& each) { return each.edge == edge; });
         if (entry == ael.end()) continue;
         const double x = entry->x.number;
@@ -159,24 +159,25 @@ void ZBufferJudge::judge(const event::AelSort& e) const {
 
 /// An edge may leave AEL only after its last row.
 void ZBufferJudge::judge(const event::AelDrop& e) const {
-    if (!polygon_ || !state().row() || *state().row() + 1 >= scene().area.bottom()) return;
+    if (!polygon_ || !state().z_buffer().last().row || *state().z_buffer().last().row + 1 >= scene().area.bottom())
+        return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     for (const int edge : e.edges) {
         judge_edge(*polygon_, edge);
         const double lower =
             std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
-        const double next = *state().row() + 1.5;
+        const double next = *state().z_buffer().last().row + 1.5;
         if (lower <= next || truth().same_coordinate(lower, next)) continue;
         throw False{
             Symptom::edge,
             say({"edge {} of {} leaves AEL after row {}", "ребро {} многоугольника {} уходит из AEL после строки {}"},
-                edge, id(*polygon_), *state().row()),
+                edge, id(*polygon_), *state().z_buffer().last().row),
             say({"it goes down to y = {}, beyond the centre of the next row",
                  "оно доходит до y = {}, дальше центра следующей строки"},
                 lower)};
     }
     std::vector<int> active;
-    for (const auto& entry : state().ael()) {
+    for (const auto& entry : state().z_buffer().active_edges()) {
         if (std::find(e.edges.begin(), e.edges.end(), entry.edge) == e.edges.end()) active.push_back(entry.edge);
     }
     judge_next_end(e.next.number, active);
@@ -195,10 +196,10 @@ bool ZBufferJudge::is_next(double row, const std::optional<double>& height) cons
 
 /// y_Snext: the row at which the next edges of S begin.
 void ZBufferJudge::judge(const event::Leave& e) const {
-    if (!polygon_ || state().edges().empty()) return;
+    if (!polygon_ || state().z_buffer().edges().empty()) return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     std::optional<double> upper;
-    for (const int edge : state().edges()) {
+    for (const int edge : state().z_buffer().edges()) {
         judge_edge(*polygon_, edge);
         if (std::find(e.edges.begin(), e.edges.end(), edge) != e.edges.end()) continue;
         const double y = std::min(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
@@ -232,7 +233,7 @@ void ZBufferJudge::judge_next_end(double next, const std::vector<int>& active) c
 void ZBufferJudge::judge(const event::ShownLine& e) {
     line_ = e;
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
-    const double y = state().y() && state().row() == e.row ? height() : e.row + 0.5;
+    const double y = state().z_buffer().last().y && state().z_buffer().last().row == e.row ? height() : e.row + 0.5;
     const auto right = truth().ends(*polygon_, y);
     const std::string told = say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"},
                                  e.row, id(*polygon_), e.from.x.number, e.to.x.number);

@@ -54,7 +54,7 @@ private:
     bool is_next(double row, const std::optional<double>& height) const;
     void judge_covered(int column, int row) const;
     void judge_shown(int column, int row);
-    double height() const { return state().y() ? state().y()->number : 0; }
+    double height() const { return state().z_buffer().last().y ? state().z_buffer().last().y->number : 0; }
     Cell& cell(int column, int row) { return cells_[{column, row}]; }
 
     std::optional<int> polygon_;

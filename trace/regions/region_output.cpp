@@ -1,6 +1,6 @@
 #include "regions/region_output.h"
 
-#include "state/state_text.h"
+#include "replay/state_text.h"
 
 namespace vidno {
 

@@ -3,8 +3,8 @@
 #include "format/quick_event.h"
 #include "format/trace_header.h"
 #include "json/json_node.h"
-#include "state/floating_horizon_state.h"
-#include "state/state.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 
 namespace vidno {
 

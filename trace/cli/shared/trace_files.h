@@ -5,7 +5,7 @@
 
 #include "format/trace_reader.h"
 #include "refused.h"
-#include "state/call_stack.h"
+#include "replay/call_stack.h"
 
 namespace vidno::cli {
 

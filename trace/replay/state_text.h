@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "format/event_text.h"
-#include "state/call_stack.h"
+#include "replay/call_stack.h"
 
 namespace vidno {
 
 /// Each function appends one value.
 class StateText {
 protected:
-    explicit StateText(PolygonNames names) : values_(std::move(names)) {}
+    explicit StateText(PolygonNames) {}
 
     void null() { out_ += "null"; }
     void boolean(bool value) { out_ += value ? "true" : "false"; }
@@ -27,7 +27,7 @@ protected:
     }
     void optional(const auto& value, auto&& append) { value ? append(*value) : null(); }
 
-    void number(const Value& value) { values_.value(out_, value); }
+    void number(const Value& v) { v.fraction ? append_string(out_, *v.fraction) : shortest_.append(out_, v.number); }
     void integer(int value) { append_integer(out_, value); }
 
     void loops(const RegionLoops& region) {
@@ -57,7 +57,7 @@ private:
         out_ += '}';
     }
 
-    EventText values_;
+    RememberedShortest shortest_;
 };
 
 }  // namespace vidno

@@ -19,6 +19,10 @@ public:
         Procedure of;
         std::optional<Line> at;
         bool operator==(const Frame&) const = default;
+        static void fields(auto& frame, auto&& field) {
+            field("of", frame.of);
+            field("at", frame.at);
+        }
     };
 
     /// The bottom frame is that of the method.

@@ -1,7 +1,7 @@
 #include "choice/algorithm.h"
 #include "choice/method.h"
-#include "state/state.h"
-#include "state/state_text.h"
+#include "replay/state.h"
+#include "replay/state_text.h"
 
 namespace vidno {
 
@@ -38,12 +38,12 @@ private:
     PolygonStateText(const State& state, const PolygonNames& names) : StateText(names), state_(state), names_(names) {}
 
     void picture() {
-        const Area& area = state_.picture().area();
+        const Area& area = state_.screen().area();
         out_ += '[';
         for (int y = area.y; y < area.bottom(); ++y) {
             if (y > area.y) out_ += ',';
             out_ += '"';
-            for (int x = area.x; x < area.right(); ++x) append_hex(out_, state_.picture().at(x, y));
+            for (int x = area.x; x < area.right(); ++x) append_hex(out_, state_.screen().color(x, y));
             out_ += '"';
         }
         out_ += ']';
@@ -52,7 +52,7 @@ private:
     void window(const Window& w) {
         list(std::array{w.x, w.y, w.width, w.height}, [this](double v) { append_number(out_, v); });
     }
-    void apl(const State::Apl& entries) {
+    void apl(const std::vector<AplEntry>& entries) {
         list(entries, [this](const AplEntry& entry) {
             out_ += '[';
             out_ += names_[std::size_t(entry.first.index)];
@@ -61,8 +61,8 @@ private:
             out_ += ']';
         });
     }
-    void joined(const std::vector<State::Joined>& entries) {
-        list(entries, [this](const State::Joined& entry) {
+    void joined(const std::vector<WarnockState::Joined>& entries) {
+        list(entries, [this](const WarnockState::Joined& entry) {
             out_ += '[';
             out_ += names_[std::size_t(entry.polygon.index)];
             out_ += ',';
@@ -78,40 +78,40 @@ private:
 
     void warnock() {
         out_ += "{\"stack\":";
-        list(state_.stack(), [this](const auto& stacked) {
+        list(state_.warnock().stack(), [this](const auto& stacked) {
             out_ += "{\"window\":";
             window(stacked.window);
             out_ += ",\"apl\":";
-            apl(*stacked.apl);
+            apl(state_.warnock().list(stacked).entries());
             out_ += '}';
         });
-        const auto& current = state_.current();
+        const auto& current = state_.warnock().current();
         out_ += ",\"window\":";
         current ? window(current->window) : null();
         out_ += ",\"apl\":";
-        current ? apl(*current->apl) : null();
+        current ? apl(state_.warnock().list(*current).entries()) : null();
         out_ += ",\"corners\":";
-        optional(state_.corners(), [this](const auto& corners) {
+        optional(state_.warnock().last().corners, [this](const auto& corners) {
             for (std::size_t i = 0; i < 4; ++i) {
                 out_ += i == 0 ? "{\"" : ",\"";
                 out_ += corner_names[i];
                 out_ += "\":";
-                number(corners[i]);
+                number(corners.of[i]);
             }
             out_ += '}';
         });
         out_ += ",\"k\":";
-        optional(state_.k(), [this](int k) { integer(k); });
+        optional(state_.warnock().last().k, [this](int k) { integer(k); });
         out_ += ",\"count\":";
-        integer(state_.count());
+        integer(*state_.warnock().last().count);
         out_ += ",\"hasSurround\":";
-        boolean(state_.has_surround());
+        boolean(*state_.warnock().last().has_surround);
         out_ += ",\"color\":";
-        optional(state_.color(), [this](const Color& color) { append_color(out_, color); });
+        optional(state_.warnock().last().color, [this](const Color& color) { append_color(out_, color); });
         out_ += ",\"insider\":";
-        boolean(state_.insider());
+        boolean(*state_.warnock().last().insider);
         out_ += ",\"clip\":";
-        optional(state_.clip(), [this](const State::Clip& clip) {
+        optional(state_.warnock().clip(), [this](const WarnockState::Clip& clip) {
             out_ += "{\"vertices\":";
             vertices(clip.vertices);
             out_ += ",\"next\":";
@@ -120,15 +120,16 @@ private:
         });
         if (choice_of(state_.header().method).procedure == Procedure::three_lists_warnock) {
             out_ += ",\"surrounding\":";
-            joined(state_.surrounding());
+            joined(state_.warnock().joined().surrounding);
             out_ += ",\"outside\":";
-            joined(state_.outside());
+            joined(state_.warnock().joined().outside);
         }
         out_ += '}';
     }
 
-    void parts(const std::vector<PolygonPart>& parts) {
-        list(parts, [this](const PolygonPart& part) {
+    void parts(const WeilerAthertonState::Pieces& parts) {
+        list(parts, [this](const auto& piece) {
+            const PolygonPart& part = *piece;
             out_ += '[';
             out_ += names_[std::size_t(part.polygon.index)];
             out_ += ',';
@@ -140,9 +141,9 @@ private:
     }
     void weiler_atherton() {
         out_ += "{\"lists\":";
-        list(state_.lists(), [this](const auto& pieces) { parts(pieces); });
+        list(state_.weiler_atherton().lists(), [this](const auto& pieces) { parts(pieces); });
         out_ += ",\"list\":";
-        optional(state_.list_in_hand(), [this](const State::ListInHand& in_hand) {
+        optional(state_.weiler_atherton().list_in_hand(), [this](const WeilerAthertonState::ListInHand& in_hand) {
             out_ += "{\"pieces\":";
             parts(in_hand.pieces);
             out_ += ",\"inside\":";
@@ -152,32 +153,32 @@ private:
             out_ += '}';
         });
         out_ += ",\"facets\":";
-        parts(state_.facets());
+        parts(state_.weiler_atherton().facets());
         out_ += ",\"visible\":";
-        parts(state_.visible());
+        parts(state_.weiler_atherton().visible());
         out_ += '}';
     }
 
     void z_buffer() {
         out_ += "{\"polygon\":";
-        optional(state_.polygon(), [this](int index) { out_ += names_[std::size_t(index)]; });
+        optional(state_.z_buffer().polygon(), [this](PolygonPlace p) { out_ += names_[std::size_t(p.index)]; });
         out_ += ",\"S\":";
-        list(state_.edges(), [this](int edge) { integer(edge); });
+        list(state_.z_buffer().edges(), [this](int edge) { integer(edge); });
         out_ += ",\"ael\":";
-        list(state_.ael(), [this](const State::AelEntry& entry) { active_edge(entry); });
+        list(state_.z_buffer().active_edges(), [this](const ZBufferState::ActiveEdge& entry) { active_edge(entry); });
         out_ += ",\"y\":";
-        optional(state_.y(), [this](const Value& y) { number(y); });
+        optional(state_.z_buffer().last().y, [this](const Value& y) { number(y); });
         out_ += ",\"row\":";
-        optional(state_.row(), [this](int row) { integer(row); });
+        optional(state_.z_buffer().last().row, [this](int row) { integer(row); });
         out_ += ",\"nextS\":";
-        optional(state_.next_start(), [this](const Value& next) { number(next); });
+        optional(state_.z_buffer().last().next_start, [this](const Value& next) { number(next); });
         out_ += ",\"nextAel\":";
-        optional(state_.next_end(), [this](const Value& next) { number(next); });
+        optional(state_.z_buffer().last().next_end, [this](const Value& next) { number(next); });
         out_ += ",\"z\":";
         depths();
         out_ += '}';
     }
-    void active_edge(const State::AelEntry& entry) {
+    void active_edge(const ZBufferState::ActiveEdge& entry) {
         out_ += "{\"edge\":";
         integer(entry.edge);
         const auto field = [this](std::string_view key, const Value& value) {
@@ -194,14 +195,15 @@ private:
         out_ += '}';
     }
     void depths() {
-        const Area& area = state_.picture().area();
-        if (!state_.depth(area.x, area.y)) return null();
+        const Area& area = state_.screen().area();
+        const auto& depths = state_.screen().depths();
+        if (!depths) return null();
         out_ += '[';
         for (int y = area.y; y < area.bottom(); ++y) {
             out_ += y > area.y ? ",[" : "[";
             for (int x = area.x; x < area.right(); ++x) {
                 if (x > area.x) out_ += ',';
-                number(*state_.depth(x, y));
+                number(depths->at(x, y));
             }
             out_ += ']';
         }

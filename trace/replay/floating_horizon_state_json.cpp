@@ -1,5 +1,5 @@
-#include "state/floating_horizon_state.h"
-#include "state/state_text.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state_text.h"
 
 namespace vidno {
 
@@ -12,7 +12,7 @@ public:
     std::string line() {
         begin(state_);
         out_ += ",\"lines\":";
-        list(state_.lines(), [this](const VisibleLine<Value>& line) {
+        list(state_.values().lines, [this](const VisibleLine<Value>& line) {
             out_ += '[';
             integer(line.segment.curve);
             point(line.from.point);
@@ -20,21 +20,21 @@ public:
             out_ += ']';
         });
         out_ += ",\"curve\":";
-        optional(state_.curve(), [this](int curve) { integer(curve); });
+        optional(state_.values().curve, [this](int curve) { integer(curve); });
         out_ += ",\"segment\":";
-        optional(state_.segment(), [this](const SegmentColumns& s) { integers(s.first, s.second); });
+        optional(state_.values().place.segment, [this](const SegmentColumns& s) { integers(s.first, s.second); });
         out_ += ",\"previous\":";
-        looked(state_.previous());
+        looked(state_.values().place.previous);
         out_ += ",\"current\":";
-        looked(state_.current());
+        looked(state_.values().place.current);
         out_ += ",\"leftEdge\":";
-        edge(state_.left_edge());
+        edge(state_.values().edges.left);
         out_ += ",\"rightEdge\":";
-        edge(state_.right_edge());
+        edge(state_.values().edges.right);
         out_ += ",\"upper\":";
-        horizon(state_.upper());
+        horizon(state_.values().horizons.upper);
         out_ += ",\"lower\":";
-        horizon(state_.lower());
+        horizon(state_.values().horizons.lower);
         out_ += "}\n";
         return out_.string();
     }
@@ -48,7 +48,7 @@ private:
         list(std::array{p.x, p.y}, [this](const Value& value) { number(value); });
     }
     void looked(const std::optional<FloatingHorizonState::Looked>& at) {
-        optional(at, [this](const auto& l) { integers(l.x, int(l.flag)); });
+        optional(at, [this](const auto& l) { integers(l.first, int(l.second)); });
     }
     void edge(const std::optional<SampleTold>& at) {
         optional(at, [this](const SampleTold& sample) {
