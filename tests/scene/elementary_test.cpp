@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/height_function.h"
-
 namespace elementary = vidno::elementary;
 
 TEST_CASE("Elementary functions are rounded once") {
@@ -28,13 +26,4 @@ TEST_CASE("Elementary functions have the usual values where there is no other nu
     CHECK(elementary::exp(1000) == std::numeric_limits<double>::infinity());
     CHECK(elementary::pow(0, 0) == 1);
     CHECK(elementary::sin(0) == 0);
-}
-
-TEST_CASE("A formula computes with them") {
-    const auto at = [](const char* formula, double x, double z) { return vidno::height_function(formula)(x, z); };
-    CHECK(at("x^3", 0.3, 0) == 0x1.ba5e353f7ced8p-6);
-    CHECK(at("ln(x)", 2, 0) == 0.693147180559945309417232121458);
-    CHECK_MESSAGE(at("2^x^z", 2, 3) == 256, "powers are read from the right");
-    CHECK_MESSAGE(at("-x^2", 2, 0) == -4, "the power comes before the sign");
-    CHECK(at("x + z * 2 < 9 && x > 1 ? x - z / 2 : 0", 2, 3) == 0.5);
 }

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <string_view>
 
 namespace vidno {
 
 using HeightFunction = std::function<double(double x, double z)>;
 
-/// The text is an expression of muParser in x, z and pi. Throws Refused, with only the reason, for an invalid one.
-/// The values are the same on every machine.
-HeightFunction height_function(const std::string& text);
+/// Parses a formula in x, z, pi and e, as lessons/surfaces/README.md describes them. Throws Refused, with only the reason, for a text that is
+/// none. The values are the same on every machine, except that the page computes the functions of elementary.h with its own library.
+HeightFunction height_function(std::string_view text);
 
 }  // namespace vidno

@@ -1,14 +1,16 @@
 #include "scene/elementary.h"
 
-// The functions of formulas, for the script of the npm package.
-#define VIDNO_EXPORTED(name) \
-    extern "C" [[clang::export_name(#name)]] double vidno_##name(double x) { return vidno::elementary::name(x); }
-VIDNO_ELEMENTARY(VIDNO_EXPORTED)
+#include <cmath>
 
-extern "C" [[clang::export_name("atan2")]] double vidno_atan2(double y, double x) {
-    return vidno::elementary::atan2(y, x);
-}
+// A dragged surface is sampled anew for each frame, and functions that are rounded once would take a hundred times as long. These may
+// differ from them in the last digit.
+namespace vidno::elementary {
 
-extern "C" [[clang::export_name("pow")]] double vidno_pow(double base, double exponent) {
-    return vidno::elementary::pow(base, exponent);
-}
+#define VIDNO_DEFINED(name) \
+    double name(double x) { return std::name(x); }
+VIDNO_ELEMENTARY(VIDNO_DEFINED)
+
+double atan2(double y, double x) { return std::atan2(y, x); }
+double pow(double base, double exponent) { return std::pow(base, exponent); }
+
+}  // namespace vidno::elementary

@@ -1,5 +1,5 @@
 /// The library in a page: WebAssembly that makes a trace of a scene, with the same bytes as `vidno trace`, and sign maps, and that reads
-/// traces. For a surface given as a function, the page evaluates the function: see height_function.cpp.
+/// traces.
 ///
 /// A caller reserves room for a request, writes it there, calls a function, and reads the resulting bytes in place. A request is a line
 /// of JSON, followed by a file. For a trace: the fields of its header except the scene, and two more; and the scene's file:

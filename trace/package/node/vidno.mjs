@@ -1,15 +1,13 @@
 #!/usr/bin/env node
-// The program vidno, compiled to WebAssembly. This script gives it what Node has: the hash, gzip, and functions of surfaces.
+// The program vidno, compiled to WebAssembly. This script gives it what Node has: the hash and gzip.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { constants, gunzipSync, gzipSync } from 'node:zlib';
 import start from './program.js';
-import { FormulaRefused, heightFunction } from './vidno-formula.mjs';
 
-let memory, elementary;
+let memory;
 const bytes = (at, size) => new Uint8Array(memory.buffer, at >>> 0, size >>> 0);
 
-let height = () => NaN;
 let packing = new Uint8Array();
 
 const gunzipped = (packed) => {
@@ -20,21 +18,11 @@ const gunzipped = (packed) => {
   }
 };
 
-// What the program imports: see sha256.cpp, height_function.cpp and gzip.cpp in trace/wasm.
+// What the program imports: see sha256.cpp and gzip.cpp in trace/wasm.
 const vidno = {
   sha256: (at, size, to) => {
     bytes(to, 32).set(createHash('sha256').update(bytes(at, size)).digest());
   },
-  formula: (at, size, to, room) => {
-    try {
-      height = heightFunction(new TextDecoder().decode(bytes(at, size)), elementary);
-      return 0;
-    } catch (error) {
-      if (!(error instanceof FormulaRefused)) throw error;
-      return new TextEncoder().encodeInto(error.message, bytes(to, room)).written;
-    }
-  },
-  height: (x, z) => height(x, z),
   packed: (at, size) => {
     packing = gzipSync(bytes(at, size), { level: 6 });
     return packing.length;
@@ -59,7 +47,6 @@ await start({
   arguments: process.argv.slice(2),
   instantiateWasm: (imports, ready) => {
     WebAssembly.instantiate(file, { ...imports, vidno }).then(({ instance, module }) => {
-      elementary = instance.exports;
       memory = instance.exports.memory;
       ready(instance, module);
     });

@@ -8,6 +8,7 @@ const sources = [
   'json/json_node.cpp',
   'scene/scene_json.cpp',
   'scene/surface.cpp',
+  'scene/height_function.cpp',
   'scene/failure.cpp',
 ];
 

@@ -1,7 +1,6 @@
 import { sha256 } from '@noble/hashes/sha2';
 import { Instance } from '../replay/instance.js';
 import type { Basics, LinesFound } from '../replay/instance.js';
-import type { HeightFunction } from './height-function.js';
 
 /** The exports of vidno.wasm; `trace/wasm/live.cpp` documents them. */
 interface Exports extends Basics {
@@ -30,24 +29,14 @@ export interface Outcome<T> {
   readonly milliseconds: number;
 }
 
-/** Parses the function of a surface, or gives the reason for refusal. */
-export type ReadFormula = (text: string) => HeightFunction | string;
-
 /** Makes traces, byte for byte those of the program, and sign maps. */
 export class Library {
   private readonly instance: Instance<Exports>;
-  private height: HeightFunction = () => NaN;
 
-  constructor(
-    module: WebAssembly.Module,
-    private readonly readFormula: ReadFormula,
-  ) {
+  constructor(module: WebAssembly.Module) {
     this.instance = new Instance<Exports>(module, {
       sha256: (at: number, size: number, to: number): void =>
         this.instance.bytes(to, 32).set(sha256(this.instance.bytes(at, size))),
-      formula: (at: number, size: number, to: number, room: number): number =>
-        this.take(this.instance.text(at, size), this.instance.bytes(to, room)),
-      height: (x: number, z: number): number => this.height(x, z),
     });
   }
 
@@ -100,15 +89,5 @@ export class Library {
       messages: instance.text(messages(), messages_size()),
       milliseconds,
     };
-  }
-
-  /**
-   * Parses a function for the next surface, or writes the reason for refusal. Returns the length of the reason in bytes.
-   */
-  private take(text: string, reason: Uint8Array): number {
-    const found = this.readFormula(text);
-    if (typeof found === 'string') return new TextEncoder().encodeInto(found, reason).written;
-    this.height = found;
-    return 0;
   }
 }

@@ -84,7 +84,7 @@ export class Tracer {
     const module = await moduleOf(this.library);
     const { asked, maker, lastQuick } = this;
     if (asked === null || maker.isBusy || lastQuick === null) return;
-    this.own ??= new Library(module, () => 'no functions here');
+    this.own ??= new Library(module);
     this.own.run(asked.request);
     this.prepared = asked.options;
   }

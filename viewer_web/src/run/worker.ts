@@ -1,5 +1,3 @@
-import { FormulaRefused, heightFunction } from './height-function.js';
-import type { HeightFunction } from './height-function.js';
 import { Library } from './library.js';
 import type { Outcome } from './library.js';
 import { readMade } from './made.js';
@@ -32,18 +30,9 @@ const scope = globalThis as unknown as Scope;
 
 let library: Library | null = null;
 
-function readFormula(text: string): HeightFunction | string {
-  try {
-    return heightFunction(text, Math);
-  } catch (error) {
-    if (!(error instanceof FormulaRefused)) throw error;
-    return error.message;
-  }
-}
-
 scope.onmessage = ({ data }) => {
   if ('library' in data) {
-    library = new Library(data.library, readFormula);
+    library = new Library(data.library);
     return;
   }
   if (library === null) throw new Error('no library yet');

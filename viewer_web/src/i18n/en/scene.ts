@@ -63,8 +63,6 @@ export const scene: SceneTexts = {
   at: (line, column) => `line ${line}, column ${column}`,
   missing: (key) => `“${key}” is missing`,
   reasons: {
-    'empty, or with signs that no formula has':
-      'empty, or with a character that formulas do not have',
     'has an edge that no other polygon shares':
       'has an edge that no other polygon shares: this method takes closed convex bodies',
     'goes along an edge in the same direction as another polygon':

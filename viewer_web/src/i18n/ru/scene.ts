@@ -147,8 +147,14 @@ export const scene: SceneTexts = {
     'fewer than three vertices': 'меньше трёх вершин',
     'z outside -1 to 1': 'глубина не от −1 до 1',
     'not planar': 'не плоский',
-    'not convex: the outline does not go once around the convex hull of its vertices':
-      'не выпуклый: контур не обходит выпуклую оболочку своих вершин ровно один раз',
+    'not planar: in the plane of {}, {} and {} this vertex would have {} = {}; triangles are always planar':
+      'не плоский: в плоскости {}, {} и {} у этой вершины было бы {} = {}; треугольники всегда плоские',
+    'not convex, and with more than {} vertices it is not cut':
+      'не выпуклый, а если вершин больше {}, он не разрезается',
+    'not convex, and the edges from {} and {} cross; cut the polygon there':
+      'не выпуклый, и рёбра от {} и {} пересекаются; разрежьте многоугольник там',
+    'not convex, and the outline touches itself; cut the polygon there':
+      'не выпуклый, и контур касается себя; разрежьте многоугольник там',
     'has an edge that no other polygon shares':
       'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
     'goes along an edge in the same direction as another polygon':
@@ -158,14 +164,28 @@ export const scene: SceneTexts = {
     'has a vertex of another one in front of it: its body is not convex, or its vertices are in the opposite order':
       'перед ним лежит вершина другого: его тело не выпукло или обход обратный',
     'no number': 'не число',
-    'not known; there are x, z and pi': 'неизвестно; есть x, z и pi',
+    'beyond the range of double': 'вне диапазона double',
+    'not known; there are x, z, pi and e': 'неизвестно; есть x, z, pi и e',
+    'the formula gives its value; there are x, z, pi and e':
+      'его значение и даёт формула; есть x, z, pi и e',
     'a product is written with *': 'произведение пишется со знаком *',
-    'not taken here': 'здесь не принимается',
     'no such function': 'такой функции нет',
-    'takes another number of arguments': 'у неё другое число аргументов',
-    'this is more than a formula': 'здесь есть что-то кроме формулы',
-    'empty, or with signs that no formula has':
-      'пусто, или есть символ, которого в формулах не бывает',
+    'takes its argument in parentheses': 'аргумент пишется в скобках',
+    'takes one argument': 'у неё один аргумент',
+    'takes one argument; a decimal fraction has a point':
+      'у неё один аргумент; десятичная дробь пишется с точкой',
+    'takes one argument or more': 'у неё хотя бы один аргумент',
+    'takes two arguments': 'у неё два аргумента',
+    'takes two arguments; a decimal fraction has a point':
+      'у неё два аргумента; десятичная дробь пишется с точкой',
+    'a comma is only between arguments; a decimal fraction has a point':
+      'запятая стоит только между аргументами; десятичная дробь пишется с точкой',
+    'a comparison has two sides; && joins two comparisons':
+      'у сравнения две стороны; два сравнения соединяет &&',
+    'equality is written ==': 'равенство пишется ==',
+    'an absolute value is written abs(x)': 'модуль пишется abs(x)',
+    'longer than {} characters': 'длиннее {} символов',
+    'it is empty': 'она пуста',
     'it ends too early': 'обрывается',
     'not understood': 'непонятно',
   },
