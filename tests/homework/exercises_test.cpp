@@ -109,7 +109,7 @@ TEST_CASE("exercises: each scene is valid, is as hard as the lesson's, and has n
         for (const AdmittedScene& exercise : exercises) {
             CHECK(read_scene(scene_json(exercise), "exercise.json").warnings.empty());
             CHECK(read_scene(scene_json(exercise), "exercise.json").scene == exercise);
-            CHECK_NOTHROW(expect_by_hand(exercise, "exercise.json"));
+            CHECK(by_hand(exercise, method, "exercise.json").note.empty());
             CHECK(is_as_hard(profiled_run(exercise, method).profile, profile));
             REQUIRE(exercise->polygons.size() == original->polygons.size());
             for (std::size_t i = 0; i < exercise->polygons.size(); ++i) {
@@ -235,20 +235,19 @@ TEST_CASE("homework: numbered files, the same bytes each time, also by the comma
     }
 }
 
-TEST_CASE("exercises: a scene that is too hard to work by hand is refused") {
-    const auto refusal = [](const AdmittedScene& scene) {
-        try {
-            expect_by_hand(scene, "scene.json");
-        } catch (const Refused& refused) {
-            return std::string(refused.what());
-        }
-        return std::string();
-    };
-    CHECK(refusal(test::SceneBuilder(test::area_16).build()) == "scene.json: polygons: there are none");
-    // 0.1 is 3602879701896397 / 2^55.
-    CHECK(refusal(test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0.1).build()).find("55 binary places") !=
-          std::string::npos);
-    CHECK(refusal(test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).build()).empty());
+TEST_CASE("exercises: a scene without polygons is refused") {
+    CHECK_THROWS_WITH_AS(by_hand(test::SceneBuilder(test::area_16).build(), Method::warnock, "scene.json"),
+                         "scene.json: polygons: there are none", Refused);
+}
+
+TEST_CASE("exercises: decimal coordinates are rounded to a lattice on which the picture stays the same") {
+    // Multiples of 1/2 and of 1/4 would put both squares at one depth, where the first wins; 1/8 keeps them apart.
+    const AdmittedScene scene =
+        test::SceneBuilder(test::area_16).quad(1, 1, 5.1, 5.1, 0.15).quad(3.1, 3.1, 9, 9, 0.2).build();
+    const auto [rounded, note] = by_hand(scene, Method::zbuffer, "scene.json");
+    CHECK(note == "coordinates rounded to multiples of 1/8; the picture stays the same");
+    CHECK(rounded->polygons[0].vertices[2] == glm::dvec3{5.125, 5.125, 0.125});
+    CHECK(rounded->polygons[1].vertices[0] == glm::dvec3{3.125, 3.125, 0.25});
 }
 
 }  // namespace vidno

@@ -34,10 +34,10 @@ std::string number_of(std::size_t place, std::size_t count) {
 int homework(const HomeworkOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
-    const AdmittedScene scene = scene_from(options.scene);
-    expect_by_hand(scene, options.scene);
-    Progress progress("exercises");
     const auto method = Method(place_in(method_names, options.method));
+    const auto [scene, note] = by_hand(scene_from(options.scene), method, options.scene);
+    if (!note.empty()) std::cerr << options.scene << ": " << note << '\n';
+    Progress progress("exercises");
     auto found = exercises_of(scene, method, options.count, options.seed,
                               [&](std::size_t so_far) { progress.show(so_far, options.count); });
     progress.clear();

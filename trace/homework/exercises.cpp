@@ -4,8 +4,10 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <random>
+#include <unordered_set>
 
 #include "homework/profile.h"
+#include "json/unique_ids.h"
 #include "refused.h"
 #include "scene/families.h"
 #include "stability/shrink.h"
@@ -316,20 +318,57 @@ private:
     std::vector<std::ptrdiff_t> turns_;
 };
 
+/// The scene with its coordinates rounded; none if they no longer make admissible polygons. A polygon that rounding would bend is cut.
+std::optional<AdmittedScene> rounded_to(Resolution lattice, const Scene& scene) {
+    Scene rounded = scene;
+    rounded.polygons.clear();
+    std::unordered_set<std::string> ids;
+    for (const auto& polygon : scene.polygons) ids.insert(polygon.id);
+    PartIds part_ids(std::move(ids));
+    for (ScenePolygon polygon : scene.polygons) {
+        Snapping snapping;
+        std::vector<ScenePolygon> parts = snapped(polygon, lattice, snapping);
+        for (auto& vertex : polygon.vertices) vertex = snapped(vertex, lattice);
+        const bool stays =
+            is_planar_exactly(polygon.vertices) && admit_polygon(polygon).admission == Admission::admitted;
+        if (stays) parts = {polygon};
+        part_ids.name(parts);
+        for (auto& part : parts) rounded.polygons.push_back(std::move(part));
+    }
+    try {
+        return admit(std::move(rounded));
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
-void expect_by_hand(const Scene& scene, const std::string& file) {
-    if (scene.polygons.empty()) throw Refused(file + ": polygons: there are none");
-    for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
-        const auto& polygon = scene.polygons[i];
-        const std::string place = file + ": polygons[" + std::to_string(i) + "]: ";
+ByHand by_hand(const AdmittedScene& scene, Method method, const std::string& file) {
+    if (scene->polygons.empty()) throw Refused(file + ": polygons: there are none");
+    const auto is_by_hand = [](const ScenePolygon& polygon) {
         const auto [xy, z] = lattice_of(polygon);
-        if (std::max(xy, z) > most_places) {
-            throw Refused(place + "a coordinate with " + std::to_string(std::max(xy, z)) +
-                          " binary places, more than " + std::to_string(most_places) + ": not to be worked by hand");
+        return std::max(xy, z) <= most_places && is_planar_exactly(polygon.vertices);
+    };
+    const auto& polygons = scene->polygons;
+    if (std::all_of(polygons.begin(), polygons.end(), is_by_hand)) return {scene, ""};
+    const ProfiledRun run = profiled_run(scene, method);
+    // A coarse lattice may add ties and points on lines, so one on which the run is as hard comes first.
+    for (const bool as_hard : {true, false}) {
+        for (int places = 1; places <= most_places; ++places) {
+            const auto rounded = rounded_to({places, places}, *scene);
+            if (!rounded) continue;
+            const ProfiledRun rounded_run = profiled_run(*rounded, method);
+            if (rounded_run.picture.pixels() != run.picture.pixels()) continue;
+            if (as_hard && !is_as_hard(rounded_run.profile, run.profile)) continue;
+            const bool are_cut = (*rounded)->polygons.size() > polygons.size();
+            return {*rounded, "coordinates rounded to multiples of 1/" + std::to_string(1 << places) +
+                                  (are_cut ? ", and polygons that this would bend cut into triangles" : "") +
+                                  "; the picture stays the same"};
         }
-        if (!is_planar_exactly(polygon.vertices)) throw Refused(place + "not planar exactly");
     }
+    throw Refused(file + ": coordinates with more than " + std::to_string(most_places) +
+                  " binary places are not to be worked by hand, and rounded ones give another picture");
 }
 
 std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method method, std::size_t count,

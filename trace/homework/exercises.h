@@ -1,6 +1,6 @@
 /// Exercises: scenes as hard as a given one, with other numbers, one for each student.
 ///
-/// Takes   a scene that can be worked by hand (expect_by_hand), the method by which its profile (profile.h) is taken,
+/// Takes   a scene that can be worked by hand (by_hand), the method by which its profile (profile.h) is taken,
 ///         how many exercises are wanted, and a seed.
 /// Gives   scenes with the same area, polygons, ids, colours and numbers of vertices, each polygon on the lattice of
 ///         its own original: no coordinate needs more binary places than its polygon had. They are exactly planar,
@@ -25,9 +25,15 @@ namespace vidno {
 
 inline constexpr std::size_t most_exercises = 1000;
 
-/// Refuses a scene without polygons, one whose coordinates have too many binary places for computing by hand, and one that is not exactly
-/// planar.
-void expect_by_hand(const Scene& scene, const std::string& file);
+struct ByHand {
+    AdmittedScene scene;
+    std::string note;  // how it was rounded; empty if it is as given
+};
+
+/// The scene if it can be worked by hand: with coordinates of few binary places, and exactly planar. Otherwise the scene with its coordinates
+/// rounded to the coarsest lattice that leaves the picture of the method as it is. Throws Refused if there is none, and for a scene without
+/// polygons.
+ByHand by_hand(const AdmittedScene& scene, Method method, const std::string& file);
 
 /// `progress` hears the number of exercises so far, at each attempt.
 std::vector<AdmittedScene> exercises_of(const AdmittedScene& scene, Method method, std::size_t count,
