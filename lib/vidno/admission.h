@@ -60,7 +60,6 @@ inline PolygonAdmission admit_shape(ScenePolygon& polygon) {
     polygon.edge_on = admission::is_edge_on(vertices);
     if (polygon.edge_on || vertices.size() == 3) return {};
     const PolygonAdmission convex = admission::make_convex(vertices);
-    if (convex.admission != Admission::admitted) return convex;
     if (!admission::is_planar(vertices)) return {Admission::not_planar};
     return convex;
 }
@@ -88,12 +87,13 @@ inline void make_admissible(Scene& scene) {
 }
 
 /// A fan of triangles about the first vertex, without those that the viewer sees edge-on. For outlines that are convex
-/// and planar but for rounding; ids and colour are those of the polygon.
+/// and planar but for rounding. Ids, colour and face are those of the polygon.
 inline std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon) {
     std::vector<ScenePolygon> triangles;
     const auto& vertices = polygon.vertices;
     for (std::size_t i = 2; i < vertices.size(); ++i) {
         ScenePolygon triangle{polygon.id, polygon.color, {vertices[0], vertices[i - 1], vertices[i]}};
+        triangle.face = face_of_parts(polygon);
         if (!admission::is_edge_on(triangle.vertices)) triangles.push_back(std::move(triangle));
     }
     return triangles;

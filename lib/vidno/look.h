@@ -63,7 +63,7 @@ inline PolygonAdmission admit_in_world(ScenePolygon& polygon) {
 
 /// The admitted polygons that a view shows of a convex planar polygon of the world.
 inline Seen look(const View& view, const ScenePolygon& world) {
-    ScenePolygon polygon{world.id, world.color, seen_by(view, world.vertices)};
+    ScenePolygon polygon{world.id, world.color, seen_by(view, world.vertices), false, world.face};
     if (polygon.vertices.empty()) return {};
     const PolygonAdmission admitted = admit_polygon(polygon);
     if (admitted.admission == Admission::admitted) return {{std::move(polygon)}, admitted.dropped};

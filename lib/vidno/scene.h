@@ -54,8 +54,19 @@ struct ScenePolygon {
     Color color;
     std::vector<glm::dvec3> vertices;  // at least 3, in order; the last joins the first
     bool edge_on = false;              // seen from the viewer it has no inside; decided exactly
+    std::string face{};                // the name that all parts of one flat face share; empty: it is no part of one
     bool operator==(const ScenePolygon&) const = default;
 };
+
+/// Whether two polygons are parts of one face, so that nothing is seen where they meet.
+inline bool are_of_one_face(const ScenePolygon& one, const ScenePolygon& other) {
+    return !one.face.empty() && one.face == other.face;
+}
+
+/// The name of the face for the parts into which a polygon is cut.
+inline const std::string& face_of_parts(const ScenePolygon& polygon) {
+    return polygon.face.empty() ? polygon.id : polygon.face;
+}
 
 struct Scene {
     std::string name;

@@ -12,6 +12,7 @@
 
 #include "choice/kernel_choice.h"
 #include "run/run.h"
+#include "scene/scene_json.h"
 #include "support/scenes.h"
 #include "support/workplace.h"
 
@@ -105,4 +106,30 @@ TEST_CASE("render --lines: the hidden lines dashed or omitted, for visible regio
     CHECK(
         program("render " VIDNO_ROOT "/lessons/15-floating-horizon/scene.json --lines dashed -o " + work.file("b.svg"))
             .text.find(only) != std::string::npos);
+}
+
+TEST_CASE("The parts of one face have no line where they meet, be they in front or hidden") {
+    const std::string face = R"("vertices":[[0,0,0],[8,0,0],[8,4,0],[4,4,0],[4,8,0],[0,8,0]])";
+    const auto scene_before = [&](const std::string& cover) {
+        return read_scene(R"({"window":{"x":0,"y":0,"width":16,"height":16},"polygons":[{"id":"L",)" + face + "}" +
+                              cover + "]}",
+                          "f.json")
+            .scene;
+    };
+    const auto length = [](const std::vector<LinePiece>& pieces) {
+        double sum = 0;
+        for (const auto& [from, to] : pieces) sum += std::hypot(to[0] - from[0], to[1] - from[1]);
+        return sum;
+    };
+    const double outline = 8 + 4 + 4 + 4 + 4 + 8;
+    for (const char* kernel : {"exact", "double"}) {
+        CAPTURE(kernel);
+        const SceneLines alone = lines_of(scene_before(""), kernel);
+        CHECK(length(alone.visible) == outline);
+        CHECK(alone.hidden.empty());
+        const SceneLines covered =
+            lines_of(scene_before(R"(,{"id":"Q","vertices":[[0,0,1],[9,0,1],[9,9,1],[0,9,1]]})"), kernel);
+        CHECK(length(covered.visible) == 4 * 9);
+        CHECK_MESSAGE(length(covered.hidden) == outline - 2 * 8, "two of its edges are on the square's outline");
+    }
 }

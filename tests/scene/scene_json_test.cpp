@@ -201,9 +201,11 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
         {scene_with(polygon_with("[[0, 0, 0], [4, 0, 1.5], [0, 4, 0]]")),
          "/polygons/0/vertices/1/2: z outside -1 to 1"},
         {scene_with(std::string(triangle) + ", " + polygon_with("[[0, 0, 0], [4, 0, 0], [4, 4, 1], [0, 4, 0]]")),
-         "/polygons/1/vertices: not planar"},
-        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")),
-         "/polygons/0/vertices: not convex: the outline does not go once around the convex hull of its vertices"},
+         "/polygons/1/vertices/3: not planar: in the plane of [0,0,0], [4,0,0] and [4,4,1] this vertex would have z = "
+         "1; "
+         "triangles are always planar"},
+        {scene_with(polygon_with("[[0, 3, 0], [2, -3, 0], [-3, 1, 0], [3, 1, 0], [-2, -3, 0]]")),
+         "/polygons/0/vertices/2: not convex, and the edges from [0,3,0] and [-3,1,0] cross; cut the polygon there"},
         {scene_with(named + ", " + named), "/polygons/1/id: the id occurs twice"},
         {scene_with(R"({"id": "1", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}, )" +
                     std::string(triangle)),
@@ -238,10 +240,15 @@ TEST_CASE("a camera is complete and sees something") {
     const std::string camera = R"("camera": {"eye": [0, 0, 50], "target": [0, 0, 0], "projection": "perspective",
                                              "fov": 45, "near": 1, "far": 99}, )";
     CHECK(message_for(scene_with(polygon_with("[[0, 0, 7], [4, 0, 7], [0, 4, 7]]"), camera)) == "taken");
-    const std::string bent = scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]"), camera);
+    const std::string bow = scene_with(polygon_with("[[0, 0, 0], [0, 4, 4], [0, 4, 0], [0, 0, 4]]"), camera);
+    CHECK(without_places(message_for(bow)) ==
+          "f.json: /polygons/0/vertices/2: not convex, and the edges from [0,0,0] and [0,4,0] cross; cut the polygon "
+          "there");
+    // In the plane x = 0, but for the last vertex.
+    const std::string bent = scene_with(polygon_with("[[0, 0, 0], [0, 4, 0], [0, 4, 4], [1, 0, 4]]"), camera);
     CHECK(without_places(message_for(bent)) ==
-          "f.json: /polygons/0/vertices: not convex: the outline does not go once around the convex hull of its "
-          "vertices");
+          "f.json: /polygons/0/vertices/3: not planar: in the plane of [0,0,0], [0,4,0] and [0,4,4] this vertex would "
+          "have x = 0; triangles are always planar");
 }
 
 TEST_CASE("everything but the vertices has a default") {

@@ -78,7 +78,7 @@ void add_import(CLI::App& program, int& status) {
     command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
-    command.footer("Faces that are not planar and convex are cut into triangles; dropped faces are reported.");
+    command.footer("Faces that are not planar and convex are cut into polygons that are; dropped faces are reported.");
     command.callback([options, &status] { status = import_scene(*options); });
 }
 

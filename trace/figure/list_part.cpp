@@ -46,10 +46,10 @@ Table active_polygons(const Moment& moment, const Style& style) {
     }
     const auto in_hand = polygon_in_hand(moment);
     for (const auto& [polygon, surrounds] : state.warnock().list(*state.warnock().current()).entries()) {
-        const auto& [id, color, vertices, edge_on] = moment.scene().polygons[std::size_t(polygon.index)];
+        const ScenePolygon& shown = moment.scene().polygons[std::size_t(polygon.index)];
         const auto nearer = moment.nearer_at().find(polygon.index);
         if (in_hand == polygon.index) table.current = table.rows.size();
-        table.rows.push_back({{id, tinted(color, style.greyscale)},
+        table.rows.push_back({{shown.id, tinted(shown.color, style.greyscale)},
                               {std::string(surrounds ? words.yes : words.no)},
                               {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second, words)}});
     }

@@ -106,6 +106,31 @@ private:
     std::vector<Box> taken_;
 };
 
+/// Whether another part of the polygon's face has the edge from one vertex to another, in the opposite direction.
+bool is_inside_face(const glm::dvec3& from, const glm::dvec3& to, const ScenePolygon& polygon, const Scene& scene) {
+    return std::any_of(scene.polygons.begin(), scene.polygons.end(), [&](const ScenePolygon& part) {
+        if (&part == &polygon || !are_of_one_face(part, polygon)) return false;
+        for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+            if (part.vertices[i] == to && part.vertices[(i + 1) % part.vertices.size()] == from) return true;
+        }
+        return false;
+    });
+}
+
+/// The outline of a polygon, without the edges inside its face.
+std::vector<Polyline> drawn_outline(const ScenePolygon& polygon, const Scene& scene, const Plane& plane) {
+    if (polygon.face.empty()) return clipped(plane.outline(polygon), true, plane.shown);
+    std::vector<Polyline> lines;
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+        const glm::dvec3 &from = polygon.vertices[i], &to = polygon.vertices[(i + 1) % polygon.vertices.size()];
+        if (is_inside_face(from, to, polygon, scene)) continue;
+        for (auto& line : clipped({plane.at(from.x, from.y), plane.at(to.x, to.y)}, false, plane.shown)) {
+            lines.push_back(std::move(line));
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
@@ -114,7 +139,7 @@ void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const 
     const double usual = polygons.size() > most_outlines ? Stroke::hairline : 0.6;
     const auto draw = [&](const ScenePolygon& polygon, double width) {
         const Stroke stroke{deep(polygon.color, style.greyscale), width};
-        to.add(Path{clipped(plane.outline(polygon), true, plane.shown), false, {}, stroke});
+        to.add(Path{drawn_outline(polygon, moment.scene(), plane), false, {}, stroke});
     };
     for (const auto& polygon : polygons) draw(polygon, usual);
     if (in_hand) draw(polygons[std::size_t(*in_hand)], 1);

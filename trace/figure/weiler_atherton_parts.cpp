@@ -53,12 +53,22 @@ std::vector<Polyline> loops_of(const RegionLoops& region, const Plane& plane) {
     return lines;
 }
 
+static std::vector<Polyline> lines_of(const std::vector<LinePiece>& pieces, const Plane& plane) {
+    std::vector<Polyline> lines;
+    for (const auto& [from, to] : pieces) lines.push_back({plane.at(from[0], from[1]), plane.at(to[0], to[1])});
+    return lines;
+}
+
 Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scene) {
     const Plane plane = plane_without_frame(scene.area);
     Drawing drawing{plane.shown.width, plane.shown.height};
     drawing.add(rectangle(plane.shown, scene.background));
-    for (const auto& [polygon, loops, region_area] : regions) {
-        drawing.add(Path{loops_of(loops, plane), true, polygon_of(scene, polygon).color, Stroke{ink}});
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        const ScenePolygon& polygon = polygon_of(scene, regions[i].polygon);
+        const bool is_part = !polygon.face.empty();
+        const Stroke border = is_part ? Stroke{polygon.color, Stroke::hairline} : Stroke{ink};
+        drawing.add(Path{loops_of(regions[i].loops, plane), true, polygon.color, border});
+        if (is_part) drawing.add(Path{lines_of(border_of(regions, i, scene), plane), false, {}, Stroke{ink}});
     }
     return drawing;
 }
@@ -67,11 +77,7 @@ Drawing drawn_lines(const SceneLines& lines, HiddenLines hidden, const Scene& sc
     const Plane plane = plane_without_frame(scene.area);
     Drawing drawing{plane.shown.width, plane.shown.height};
     const auto add = [&](const std::vector<LinePiece>& pieces, Stroke stroke) {
-        Path path{{}, false, {}, std::move(stroke)};
-        for (const auto& [from, to] : pieces) {
-            path.lines.push_back({plane.at(from[0], from[1]), plane.at(to[0], to[1])});
-        }
-        drawing.add(std::move(path));
+        drawing.add(Path{lines_of(pieces, plane), false, {}, std::move(stroke)});
     };
     if (hidden == HiddenLines::dashed) add(lines.hidden, {ink, Stroke::hairline, {3, 2}});
     add(lines.visible, {ink, 0.8});

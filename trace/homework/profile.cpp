@@ -25,9 +25,11 @@ public:
     Profile profile(const Picture& picture) const {
         Profile profile{{}, counts_};
         for (const Line line : lines_) profile.met.insert("line " + std::string(line_names[std::size_t(line)]));
-        for (const auto& [id, color, vertices, edge_on] : scene_.polygons) {
+        for (const ScenePolygon& polygon : scene_.polygons) {
             const auto& pixels = picture.pixels();
-            if (std::find(pixels.begin(), pixels.end(), color) != pixels.end()) profile.met.insert("colour of " + id);
+            if (std::find(pixels.begin(), pixels.end(), polygon.color) != pixels.end()) {
+                profile.met.insert("colour of " + polygon.id);
+            }
         }
         if (on_a_line_) profile.met.insert("point on a line");
         if (ties_) profile.met.insert("tie");

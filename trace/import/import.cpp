@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "counted.h"
-#include "import/ear_clipping.h"
 #include "import/mesh_soup.h"
 #include "json/unique_ids.h"
 #include "refused.h"
+#include "scene/convex_parts.h"
+#include "scene/exact_scene.h"
 #include "vidno/admission.h"
 #include "vidno/look.h"
 
@@ -79,7 +80,7 @@ public:
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i) import_face(i);
     }
 
-    /// "992 faces read, 12 dropped: 10 have no area, 2 cross themselves; 5 cut into triangles; 40 not in view"
+    /// "992 faces read, 12 dropped: 10 have no area, 2 cross themselves; 5 cut into convex polygons; 40 not in view"
     std::string report() const {
         const std::size_t dropped = without_area_ + crossing_ + unclear_;
         std::string line =
@@ -90,7 +91,7 @@ public:
         append(why, ", ", unclear_,
                "neither convex nor of at most " + std::to_string(most_corners_to_clip) + " corners");
         if (!why.empty()) line += ": " + why;
-        append(line, "; ", cut_, "cut into triangles");
+        append(line, "; ", cut_, "cut into convex polygons");
         append(line, "; ", out_of_view_, "not in view");
         append(line, "; ", vertices_, "vertices reflex by rounding, dropped");
         return line;
@@ -108,7 +109,7 @@ private:
         face.id = std::to_string(number);
         for (const std::size_t i : mesh_.faces[number]) face.vertices.push_back(mesh_.points[i]);
         std::vector<ScenePolygon> shown;
-        const std::vector<ScenePolygon> parts = convex_parts(std::move(face));
+        const std::vector<ScenePolygon> parts = parts_of(std::move(face));
         bool bent = false;
         for (const ScenePolygon& part : parts) {
             Seen seen = look(view_, part);
@@ -125,8 +126,8 @@ private:
         if (scene_.polygons.size() > most_polygons) throw Refused(too_many_parts());
     }
 
-    /// The face itself, or the triangles it is cut into; none if it is dropped.
-    std::vector<ScenePolygon> convex_parts(ScenePolygon face) {
+    /// The face itself, or the parts it is cut into; none if it is dropped.
+    std::vector<ScenePolygon> parts_of(ScenePolygon face) {
         const PolygonAdmission admitted = admit_in_world(face);
         if (admitted.admission == Admission::too_few_vertices || face.edge_on) {
             ++without_area_;
@@ -137,12 +138,7 @@ private:
             vertices_ += admitted.dropped;
             return {std::move(face)};
         }
-        const std::vector<glm::dvec3> seen = seen_along(axis_that_shows(face.vertices), face.vertices);
-        std::vector<ScenePolygon> parts;
-        for (const auto& [i, j, k] : clip_ears(seen)) {
-            parts.push_back({face.id, {}, {face.vertices[i], face.vertices[j], face.vertices[k]}});
-            parts.back().color = tone(camera_, parts.back());
-        }
+        std::vector<ScenePolygon> parts = exact_scene::cut_into_convex_parts_in_world(face);
         if (parts.empty()) ++(face.vertices.size() > most_corners_to_clip ? unclear_ : crossing_);
         return parts;
     }

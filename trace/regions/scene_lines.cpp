@@ -88,6 +88,12 @@ Pieces without(const ExactPiece& piece, const Pieces& others) {
     return left;
 }
 
+bool are_of_one_face(const ShownRegion& one, const ShownRegion& other, const Scene& scene) {
+    const auto polygon = [&](const ShownRegion& region) { return std::size_t(region.polygon.index); };
+    return polygon(one) == polygon(other) ||
+           are_of_one_face(scene.polygons[polygon(one)], scene.polygons[polygon(other)]);
+}
+
 void append(Pieces& to, const Pieces& pieces) { to.insert(to.end(), pieces.begin(), pieces.end()); }
 
 std::vector<LinePiece> in_doubles(const Pieces& pieces) {
@@ -97,25 +103,43 @@ std::vector<LinePiece> in_doubles(const Pieces& pieces) {
     return result;
 }
 
+/// The border of a region; `edges` are those of each region.
+Pieces border_of(std::size_t region, const std::vector<Pieces>& edges, const std::vector<ShownRegion>& regions,
+                 const Scene& scene) {
+    Pieces of_the_same;  // other regions of the face
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (k != region && are_of_one_face(regions[k], regions[region], scene)) append(of_the_same, edges[k]);
+    }
+    Pieces border;
+    for (const auto& edge : edges[region]) append(border, without(edge, of_the_same));
+    return border;
+}
+
 }  // namespace
+
+std::vector<LinePiece> border_of(const std::vector<ShownRegion>& regions, std::size_t region, const Scene& scene) {
+    std::vector<Pieces> edges(regions.size());
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (are_of_one_face(regions[k], regions[region], scene)) edges[k] = edges_of(regions[k]);
+    }
+    return in_doubles(border_of(region, edges, regions, scene));
+}
 
 SceneLines scene_lines(const std::vector<ShownRegion>& regions, const Scene& scene) {
     std::vector<Pieces> edges;
     for (const auto& region : regions) edges.push_back(edges_of(region));
     Pieces visible, hidden;
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        Pieces of_the_same;  // other regions of the polygon
-        for (std::size_t k = 0; k < regions.size(); ++k) {
-            if (k != i && regions[k].polygon == regions[i].polygon) append(of_the_same, edges[k]);
-        }
-        for (const auto& edge : edges[i]) {
-            for (const auto& piece : without(edge, of_the_same)) append(visible, without(piece, visible));
-        }
+        for (const auto& piece : border_of(i, edges, regions, scene)) append(visible, without(piece, visible));
     }
     for (const auto& polygon : scene.polygons) {
         if (polygon.edge_on) continue;
+        Pieces none_needed = visible;  // lines that are drawn already, and cuts
+        for (const auto& other : scene.polygons) {
+            if (&other != &polygon && are_of_one_face(other, polygon)) append(none_needed, edges_of(other));
+        }
         for (const auto& edge : edges_of(polygon)) {
-            for (const auto& piece : without(edge, visible)) append(hidden, without(piece, hidden));
+            for (const auto& piece : without(edge, none_needed)) append(hidden, without(piece, hidden));
         }
     }
     return {in_doubles(visible), in_doubles(hidden)};

@@ -3,6 +3,8 @@
 /// vidno/admission.h, look.h and snap.h describe these functions.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "vidno/admitted.h"
@@ -15,6 +17,18 @@ AdmittedScene admit(Scene scene);
 PolygonAdmission admit_polygon(ScenePolygon& polygon);
 PolygonAdmission admit_in_world(ScenePolygon& polygon);
 std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon);
+
+/// The admitted parts of a planar polygon that is not convex, all with its id; none if its outline touches or crosses itself.
+std::vector<ScenePolygon> cut_into_convex_parts(const ScenePolygon& polygon);
+/// The same in the world.
+std::vector<ScenePolygon> cut_into_convex_parts_in_world(const ScenePolygon& polygon);
+
+/// What to say of a polygon whose shape is refused: the vertex at fault, if it is one, and the reason.
+struct ShapeFault {
+    std::optional<std::size_t> vertex;
+    std::string reason;
+};
+ShapeFault fault_of_shape(const ScenePolygon& polygon, Admission admission, bool in_world);
 Seen look(const View& view, const ScenePolygon& world);
 AdmittedScene snapped(const AdmittedScene& scene, Resolution to);
 std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping);

@@ -90,13 +90,14 @@ private:
     }
 
     bool polygon(ScenePolygon& polygon, std::size_t position) {
-        bool has_id = false, has_color = false, has_vertices = false;
+        bool has_id = false, has_color = false, has_face = false, has_vertices = false;
         const bool read = object([&](std::string_view key) {
             if (key == "id") return once(has_id) && string(polygon.id) && !polygon.id.empty();
             if (key == "color") return once(has_color) && color(polygon.color);
+            if (key == "face") return once(has_face) && string(polygon.face) && !polygon.face.empty();
             return key == "vertices" && once(has_vertices) && vertices(polygon.vertices);
         });
-        if (!read || polygon.id.size() > longest_id) return false;
+        if (!read || polygon.id.size() > longest_id || polygon.face.size() > longest_id) return false;
         if (!has_id) polygon.id = std::to_string(position);
         if (!has_color) polygon.color = default_color(position);
         const PolygonAdmission admitted = exact_scene::admit_polygon(polygon);

@@ -2,7 +2,9 @@
 /// the polygons' shapes, exactly. An error in the text ends it; all other errors are reported together.
 #include "scene/scene_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -54,23 +56,23 @@ std::optional<Camera> read_camera(const JsonNode& node, const Area& area, Faults
     return is_right ? std::optional(camera) : std::nullopt;
 }
 
-std::string read_id(const JsonNode& node, std::size_t position) {
-    if (!node.has("id")) return std::to_string(position);
-    const JsonNode id = node.at("id");
-    if (id.text().empty()) id.refuse("empty");
-    if (id.text().size() > longest_id) id.refuse("longer than " + std::to_string(longest_id) + " bytes");
-    return id.text();
+std::string read_name(const JsonNode& node) {
+    if (node.text().empty()) node.refuse("empty");
+    if (node.text().size() > longest_id) node.refuse("longer than " + std::to_string(longest_id) + " bytes");
+    return node.text();
 }
 
-/// Names the z for which a polygon is refused.
-void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission admission) {
+/// Names the vertex, or the z, for which a polygon is refused.
+[[noreturn]] void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission admission, bool in_world) {
     const JsonNode vertices = node.at("vertices");
     if (admission == Admission::out_of_depth_range) {
         for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
             if (!(std::abs(polygon.vertices[i].z) <= 1)) vertices.at(i).at(2u).refuse(reason_of(admission));
         }
     }
-    vertices.refuse(reason_of(admission));
+    const auto [vertex, reason] = exact_scene::fault_of_shape(polygon, admission, in_world);
+    if (vertex) vertices.at(*vertex).refuse(reason);
+    vertices.refuse(reason);
 }
 
 class SceneReader {
@@ -129,15 +131,16 @@ private:
         polygon.color = default_color(position);
         bool is_right = faults_.attempt([&] {
             if (defaults_ == Defaults::taken) {
-                node.require_keys({"vertices"}, {"id", "color"});
+                node.require_keys({"vertices"}, {"id", "color", "face"});
             } else {
-                node.require_keys({"color", "vertices"}, {"id"});
+                node.require_keys({"color", "vertices"}, {"id", "face"});
             }
         });
         if (!node.value().is_object()) return std::nullopt;
         const auto part = [&](auto&& read) { is_right = faults_.attempt(read) && is_right; };
-        part([&] { polygon.id = read_id(node, position); });
+        part([&] { polygon.id = node.has("id") ? read_name(node.at("id")) : std::to_string(position); });
         if (node.has("color")) part([&] { polygon.color = node.at("color").color(); });
+        if (node.has("face")) part([&] { polygon.face = read_name(node.at("face")); });
         if (node.has("vertices")) {
             part([&] {
                 const JsonNode vertices = node.at("vertices");
@@ -173,36 +176,67 @@ private:
                 if (in_world) {
                     add_seen(node.at(i), std::move(*polygons[i]), i, part_ids);
                 } else {
-                    add(node.at(i), std::move(*polygons[i]), i);
+                    add(node.at(i), std::move(*polygons[i]), i, part_ids);
                 }
             });
         }
         if (scene_.polygons.size() > most_polygons) node.refuse(too_many_parts());
     }
 
-    void add(const JsonNode& node, ScenePolygon polygon, std::size_t position) {
+    void add(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
         const PolygonAdmission admitted = exact_scene::admit_polygon(polygon);
-        if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
         warn_of_dropped(position, admitted.dropped);
-        scene_.polygons.push_back(std::move(polygon));
+        std::vector<ScenePolygon> parts;
+        if (admitted.admission == Admission::not_convex) {
+            parts = exact_scene::cut_into_convex_parts(polygon);
+            warn_of_parts(position, parts.size());
+        } else if (admitted.admission == Admission::admitted) {
+            parts.push_back(std::move(polygon));
+        }
+        if (parts.empty()) refuse_shape(node, polygon, admitted.admission, false);
+        add_parts(std::move(parts), part_ids);
     }
 
     void add_seen(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
         const PolygonAdmission admitted = exact_scene::admit_in_world(polygon);
-        if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
+        std::vector<ScenePolygon> parts;
+        if (admitted.admission == Admission::not_convex) {
+            parts = exact_scene::cut_into_convex_parts_in_world(polygon);
+            warn_of_parts(position, parts.size());
+        } else if (admitted.admission == Admission::admitted) {
+            parts.push_back(polygon);
+        }
+        if (parts.empty()) refuse_shape(node, polygon, admitted.admission, true);
         if (!view_) return;
-        Seen seen = exact_scene::look(*view_, polygon);
-        warn_of_dropped(position, admitted.dropped + seen.dropped);
+        std::vector<ScenePolygon> seen_parts;
+        std::size_t dropped = admitted.dropped;
+        bool is_bent = false;
+        for (const ScenePolygon& part : parts) {
+            Seen seen = exact_scene::look(*view_, part);
+            dropped += seen.dropped;
+            is_bent = is_bent || seen.polygons.size() > 1;
+            std::move(seen.polygons.begin(), seen.polygons.end(), std::back_inserter(seen_parts));
+        }
+        warn_of_dropped(position, dropped);
         if (polygon.edge_on) {
             warn(position, "no area, left out");
             return;
         }
-        if (seen.polygons.empty()) warn(position, "not in view, left out");
-        if (seen.polygons.size() > 1) {
-            warn(position, "cut into " + std::to_string(seen.polygons.size()) + " triangles, for rounding bent it");
+        if (seen_parts.empty()) warn(position, "not in view, left out");
+        if (is_bent) {
+            warn(position, "cut into " + std::to_string(seen_parts.size()) + " polygons, for rounding bent it");
         }
-        part_ids.name(seen.polygons);
-        for (auto& part : seen.polygons) scene_.polygons.push_back(std::move(part));
+        add_parts(std::move(seen_parts), part_ids);
+    }
+
+    void add_parts(std::vector<ScenePolygon> parts, PartIds& part_ids) {
+        part_ids.name(parts);
+        for (auto& part : parts) scene_.polygons.push_back(std::move(part));
+    }
+
+    void warn_of_parts(std::size_t position, std::size_t count) {
+        if (count == 1) warn(position, "the outline runs back along itself, where it encloses nothing");
+        if (count > 1) warn(position, "not convex, cut into " + std::to_string(count) + " convex polygons");
     }
 
     void warn_of_dropped(std::size_t position, std::size_t count) {
@@ -237,6 +271,10 @@ void append_polygon(Text& out, const ScenePolygon& polygon) {
     append_string(out, polygon.id);
     out += ",\"color\":";
     append_color(out, polygon.color);
+    if (!polygon.face.empty()) {
+        out += ",\"face\":";
+        append_string(out, polygon.face);
+    }
     out += ",\"vertices\":[";
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
         if (i > 0) out += ',';

@@ -118,12 +118,23 @@ describe('a corner', () => {
     expect(typed.polygons[0]?.vertices[1]).toEqual([5.125, 1, 0]);
   });
 
+  it('that makes a polygon concave has it cut into two parts of one face', async () => {
+    const { page } = await editing(browser);
+    await page.locator(handle(1, 0)).focus();
+    for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+ArrowRight');
+    for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+ArrowDown');
+    await page.waitForFunction(() => {
+      const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+      return player?.trace?.header.scene.polygons.length === 3;
+    });
+    expect((await run(page)).polygons.map(({ id }) => id)).toEqual(['A', 'B.1', 'B.2']);
+  });
+
   it('that makes a polygon invalid is refused, and the previous run stays', async () => {
     const { page } = await editing(browser);
     const before = await run(page);
     await page.locator(handle(1, 0)).focus();
-    for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+ArrowRight');
-    for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+ArrowDown');
+    for (let i = 0; i < 6; i++) await page.keyboard.press('Shift+ArrowRight');
     await page.locator('.message.refused').waitFor();
     expect(await page.locator('.message').textContent()).toContain('B: not convex');
     const after = await run(page);

@@ -2,6 +2,7 @@ import { toNumber } from '../language/words.js';
 import type { Shape } from '../picture/shapes.js';
 import { patchesOf } from '../picture/patches.js';
 import { boxData, pathData } from '../picture/shapes.js';
+import { outlineData } from '../picture/still.js';
 import type { Trace } from '../replay/trace.js';
 import type { Point } from '../trace/values.js';
 import type { Rectangle } from '../picture/frame.js';
@@ -35,10 +36,10 @@ export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair 
     shown,
     shapes: [
       ...patches.map(({ color, d }) => ({ look: 'patch', d, fill: color })),
-      ...polygons.map(({ vertices, color }) => ({
+      ...polygons.map((polygon) => ({
         look: 'outline',
-        d: pathData(vertices, true),
-        color,
+        d: outlineData(polygon, polygons),
+        color: polygon.color,
       })),
       ...(wrong === null ? [] : [{ look: 'wrong', d: boxData([...wrong, 1, 1]) }]),
     ],

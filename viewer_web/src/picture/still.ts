@@ -1,4 +1,5 @@
 import { polygonThing } from '../algorithm/pointed.js';
+import { outlineLines } from '../trace/faces.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
 import type { Mark } from './mark.js';
@@ -36,7 +37,10 @@ export function outlineShapes({ area, polygons }: Scene): readonly Shape[] {
   const outlines = polygons.slice(0, mostOutlines);
   return [
     { look: 'area', d: boxData([area.x, area.y, area.width, area.height]) },
-    ...outlines.flatMap(polygons.length > many ? faintOutline : outline),
+    ...outlines.flatMap((each) => {
+      const d = outlineData(each, polygons);
+      return polygons.length > many ? [faintOutline(each, d)] : outline(each, d);
+    }),
   ];
 }
 
@@ -50,8 +54,14 @@ export function shapesToPoint({ polygons }: Scene): readonly Shape[] {
   }));
 }
 
-function outline({ vertices, color }: Polygon): readonly Shape[] {
-  const d = pathData(vertices, true);
+/** The outline of a polygon, without the lines inside its face. */
+export function outlineData(polygon: Polygon, polygons: readonly Polygon[]): string {
+  return outlineLines(polygon, polygons)
+    .map(({ points, closed }) => pathData(points, closed))
+    .join('');
+}
+
+function outline({ color }: Polygon, d: string): readonly Shape[] {
   return [
     { look: 'outline-casing', d },
     { look: 'outline', d, color },
@@ -59,8 +69,8 @@ function outline({ vertices, color }: Polygon): readonly Shape[] {
 }
 
 /** The outline of a polygon among many, faint because many outlines would hide the picture. */
-function faintOutline({ vertices, color }: Polygon): Shape {
-  return { look: 'outline many', d: pathData(vertices, true), color };
+function faintOutline({ color }: Polygon, d: string): Shape {
+  return { look: 'outline many', d, color };
 }
 
 /** A polygon's name, shortened to the available room, and its centre in the plane. */

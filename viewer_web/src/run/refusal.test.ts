@@ -16,9 +16,9 @@ it.each([
   ['scene: /window/width: not from 1 to 16384', '/window/width', 'not from 1 to 16384'],
   ['scene: line 2, column 3: not valid JSON', null, 'not valid JSON'],
   [
-    'scene: line 1, column 60: /polygons/0/vertices: not convex: the outline does not go once around the convex hull of its vertices',
+    'scene: line 1, column 60: /polygons/0/vertices/2: not convex, and the edges from [0,0,0] and [2,0,0] cross; cut the polygon there',
     'A',
-    'not convex: the outline does not go once around the convex hull of its vertices',
+    'not convex, and the edges from [0,0,0] and [2,0,0] cross; cut the polygon there',
   ],
   [
     'scene: line 1, column 60: /polygons/0/color: not a string\nscene: line 1, column 80: /name: not a string',

@@ -3,6 +3,7 @@ import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
+import { outlineLines } from '../trace/faces.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { cased, level, placed, together } from './drawing.js';
@@ -25,7 +26,7 @@ export function stillDrawing({ header: { scene } }: View, space: Space): Drawing
       { lines: [...gridLines(scene.area, space.far), ...boxLines(scene.area, space)] },
       {
         faces: scene.polygons.map(({ vertices: points, color }) => ({ points, color })),
-        lines: scene.polygons.flatMap((each) => outline(each, isCrowded)),
+        lines: scene.polygons.flatMap((each) => outline(each, scene.polygons, isCrowded)),
         labels: names(scene),
       },
     ),
@@ -44,11 +45,17 @@ export function stepDrawing(view: View, space: Space): Drawing {
   );
 }
 
-function outline({ vertices: points, color }: Polygon, isCrowded: boolean): readonly Line[] {
-  const line: Line = { look: 'outline', points, closed: true, color };
-  return isCrowded
-    ? [{ ...line, look: 'outline many' }]
-    : [{ look: 'outline-casing', points, closed: true }, line];
+function outline(
+  polygon: Polygon,
+  polygons: readonly Polygon[],
+  isCrowded: boolean,
+): readonly Line[] {
+  return outlineLines(polygon, polygons).flatMap((drawn): readonly Line[] => {
+    const line: Line = { look: 'outline', ...drawn, color: polygon.color };
+    return isCrowded
+      ? [{ ...line, look: 'outline many' }]
+      : [{ look: 'outline-casing', ...drawn }, line];
+  });
 }
 
 function gridLines({ x, y, width, height }: Area, far: number): readonly Line[] {

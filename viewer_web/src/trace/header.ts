@@ -35,6 +35,7 @@ const coordinate: Check<number> = (value, path) => {
 const polygon = record({
   id: optional(text),
   color,
+  face: optional(text),
   vertices: list(tuple(coordinate, coordinate, coordinate)),
 });
 
@@ -75,6 +76,8 @@ export type Area = Checked<typeof area>;
 export interface Polygon {
   readonly id: string;
   readonly color: string;
+  /** Polygons of one face are parts of it: no line is drawn where they meet. */
+  readonly face?: string | undefined;
   readonly vertices: readonly (readonly [number, number, number])[];
 }
 
