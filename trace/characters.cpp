@@ -1,6 +1,60 @@
 #include "characters.h"
 
+#include <array>
+#include <cstdio>
+
 namespace vidno {
+
+namespace {
+
+/// The length of the character at the beginning of a text in UTF-8; 0 if there is none.
+std::size_t length_of_first(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xc0 ? 0
+                               : first < 0xe0 ? 2
+                               : first < 0xf0 ? 3
+                               : first < 0xf8 ? 4
+                                              : 0;
+    if (length == 0 || length > text.size()) return 0;
+    const std::u32string characters = characters_of(text.substr(0, length));
+    // A longer form than necessary, or half of a pair of UTF-16, is not UTF-8.
+    const bool is_one = characters.size() == 1 && utf8(characters.front()) == text.substr(0, length);
+    const bool is_half = is_one && characters.front() >= 0xd800 && characters.front() < 0xe000;
+    return is_one && !is_half && characters.front() < 0x110000 ? length : 0;
+}
+
+/// Whether a character does something to the text besides standing in it.
+bool controls(char32_t c) {
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x61c || (c >= 0x200b && c <= 0x200f) ||
+           (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff || (c >= 0xe0000 && c < 0xe0080);
+}
+
+}  // namespace
+
+std::string escaped_for_terminal(std::string_view text, std::string_view kept) {
+    std::string shown;
+    const auto escape = [&](const char* form, unsigned number) {
+        std::array<char, 16> written{};
+        shown.append(written.data(), std::size_t(std::snprintf(written.data(), written.size(), form, number)));
+    };
+    while (!text.empty()) {
+        const std::size_t length = length_of_first(text);
+        const char first = text.front();
+        const char32_t character = length == 0 ? 0 : characters_of(text.substr(0, length)).front();
+        if (length == 0) {
+            escape("\\x%02x", static_cast<unsigned char>(first));
+        } else if (first == '\n' && kept.find(first) == kept.npos) {
+            shown += "\\n";
+        } else if (!controls(character) || (length == 1 && kept.find(first) != kept.npos)) {
+            shown += text.substr(0, length);
+        } else {
+            escape(character < 0x80 ? "\\x%02x" : "\\u%04x", unsigned(character));
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return shown;
+}
 
 std::u32string characters_of(std::string_view text) {
     std::u32string characters;

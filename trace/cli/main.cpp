@@ -4,6 +4,7 @@
 #include <iostream>
 #include <new>
 
+#include "characters.h"
 #include "cli/commands.h"
 #include "output.h"
 
@@ -19,7 +20,7 @@ bool names_command(const CLI::App& app) {
 /// Help is printed in CLI11's form; every error is one line and status 2.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "vidno: " << error.what() << " (vidno --help)\n";
+    std::cerr << "vidno: " << vidno::escaped_for_terminal(error.what()) << " (vidno --help)\n";
     return 2;
 }
 
@@ -54,7 +55,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return refuse(program, error);
     } catch (const vidno::Refused& refused) {
-        std::cerr << "vidno: " << refused.what() << '\n';
+        std::cerr << "vidno: " << vidno::escaped_for_terminal(refused.what(), "\n") << '\n';
     } catch (const std::bad_alloc&) {
         std::cerr << "vidno: not enough memory\n";
     }

@@ -3,12 +3,14 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "characters.h"
+
 namespace vidno {
 
 namespace {
 
 std::string quoted(const std::string& name, const Words& say) {
-    return name.empty() ? say({"a scene", "одна сцена"}) : say({"\"{}\"", "«{}»"}, name);
+    return name.empty() ? say({"a scene", "одна сцена"}) : say({"\"{}\"", "«{}»"}, escaped_for_terminal(name));
 }
 
 std::string place_of(const Wrong& wrong, const Words& say) {
@@ -32,7 +34,8 @@ std::string line_of(const SceneGrade& grade, const std::string& failure, const W
     const Bilingual verdict = !grade.judgement  ? Bilingual{"not judged ", "не проверено "}
                               : failure.empty() ? Bilingual{"right      ", "верно         "}
                                                 : Bilingual{"wrong      ", "неверно       "};
-    return "  " + say(verdict) + name_of(grade.scene) + (failure.empty() ? "" : ": " + failure) + "\n";
+    return "  " + say(verdict) + escaped_for_terminal(name_of(grade.scene)) + (failure.empty() ? "" : ": " + failure) +
+           "\n";
 }
 
 std::string scenes_in_words(int count, const Words& say) {
@@ -104,13 +107,8 @@ std::string details_of(const SceneGrade& grade, const Grading& grading) {
     return text + said_by(run.ended.said);
 }
 
-/// Replaces control characters, so that a student's program cannot control the grader's terminal.
-std::string without_controls(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(),
-        [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f; }, '?');
-    return text;
-}
+/// The text of a report, which a student's program must not use to control the grader's terminal.
+std::string without_controls(const std::string& text) { return escaped_for_terminal(text, "\n\t"); }
 
 std::string verdict_of(const ProgramGrade& grade, const Words& say) {
     const int count = int(grade.scenes.size()), wrong = int(grade.wrong());
@@ -131,7 +129,7 @@ std::string in_words(const Area& area, const Words& say) {
 std::string in_words(const Scene& scene, const Words& say) {
     std::string text = in_words(scene.area, say);
     for (const auto& polygon : scene.polygons) {
-        text += "  " + polygon.id;
+        text += "  " + escaped_for_terminal(polygon.id);
         for (const auto& v : polygon.vertices) text += " " + say.point(v.x, v.y, v.z);
         text += "\n";
     }
@@ -201,6 +199,9 @@ std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say) {
     std::string text = "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told\n";
     const auto cell = [](std::string value) {
         for (std::size_t at = 0; (at = value.find('"', at)) != value.npos; at += 2) value.insert(at, 1, '"');
+        // A spreadsheet would take the cell for a formula.
+        if (!value.empty() && std::string_view("=+-@").find(value.front()) != std::string_view::npos)
+            value.insert(0, 1, '\'');
         return '"' + value + '"';
     };
     for (const TableRow& row : rows) {
