@@ -10,7 +10,7 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 documents = [*root.glob("*.md")]
-for folder in ["lessons", "lib", "tests", "trace"]:
+for folder in ["docs", "lessons", "lib", "tests", "trace"]:
     documents += (root / folder).rglob("*.md")
 found = {}  # whether the file exists, by document and name
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "characters.h"
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
@@ -26,7 +27,7 @@ enum class HandedIn : unsigned char { program, trace, folder };
 struct GradeOptions {
     std::string program, output;      // or a trace, or a folder; the output may be empty
     std::vector<std::string> scenes;  // none: those of the program
-    int seconds = 10;
+    int seconds = 10, memory = 512, written = 64, processes = 64;
     int random = 8;
     unsigned seed = 1;
     std::string detail{detail_names[0]}, language{language_codes[0]};
@@ -90,10 +91,18 @@ std::string page_of(const SceneGrade& grade, const Words& say) {
     return trace_page(content);
 }
 
+/// Writes a file, or replaces a regular one. A pipe in its place would wait for a reader, a device would take it.
+void write_new(const std::string& file, const std::string& text) {
+    const auto status = std::filesystem::symlink_status(file);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw Refused(file + ": not a regular file, so the report is not written");
+    write_file(file, text);
+}
+
 /// Writes the page and prints its address, at the wrong step.
 void write_page(const SceneGrade& grade, const std::string& file, const Words& say) {
     if (!grade.run.header) throw Refused(file + ": there is no trace to show");
-    write_file(file, page_of(grade, say));
+    write_new(file, page_of(grade, say));
     const auto& judgement = grade.judgement;
     const std::uint64_t step = judgement && judgement->wrong ? judgement->wrong->step : grade.run.events.size();
     std::cout << say({"\nThe program's run beside the right one, at that step:\n  ",
@@ -129,14 +138,19 @@ Grading grading_of(const GradeOptions& options) {
     grading.limits.time = std::chrono::seconds(options.seconds);
     grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
     grading.first_only = options.first;
-    if (options.no_sandbox || options.handed_in() == HandedIn::trace) return grading;
-    const Sandbox sandbox = find_sandbox();
+    grading.limits.memory = std::uint64_t(options.memory) << 20;
+    grading.limits.written = std::uint64_t(options.written) << 20;
+    grading.limits.processes = options.processes;
+    if (options.handed_in() == HandedIn::trace) return grading;
+    const Sandbox sandbox = options.no_sandbox ? Sandbox{} : find_sandbox();
     grading.limits.bubblewrap = sandbox.bubblewrap;
     if (!sandbox.missing.empty()) {
         std::cerr << grading.say({"No sandbox: {}. The program can read your files and reach the network.\n",
                                   "Песочницы нет: {}. Программе доступны ваши файлы и сеть.\n"},
-                                 sandbox.missing);
+                                 escaped_for_terminal(sandbox.missing));
     }
+    if (const std::string missing = not_guaranteed(grading.limits, grading.say); !missing.empty())
+        std::cerr << grading.say({"Not guaranteed here: {}.\n", "Здесь не обеспечивается: {}.\n"}, missing);
     return grading;
 }
 
@@ -168,6 +182,8 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
     const bool can_run = options.handed_in() == HandedIn::program;
     ProgramGrade grade;
     if (!can_run) {
+        if (!std::filesystem::is_regular_file(options.program) && std::filesystem::exists(options.program))
+            throw Refused(options.program + ": not a regular file");
         LineReader lines(options.program);
         std::string text;
         for (std::string line; lines.next(line);) text += line + '\n';
@@ -190,15 +206,38 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
     return 1;
 }
 
-/// The programs in a folder, by their names.
-std::vector<std::filesystem::path> programs_in(const std::string& folder) {
-    std::vector<std::filesystem::path> programs;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const auto executable = std::filesystem::perms::owner_exec;
-        if (entry.is_regular_file() && (entry.status().permissions() & executable) != std::filesystem::perms::none)
-            programs.push_back(entry.path());
+/// What a folder has for the table: a program, or something that is refused.
+struct Entry {
+    std::filesystem::path file;
+    std::string refused;  // why; empty for a program
+};
+
+std::string kind_of(std::filesystem::file_type type) {
+    using Type = std::filesystem::file_type;
+    switch (type) {
+        case Type::symlink: return "a symbolic link";
+        case Type::fifo: return "a pipe";
+        case Type::socket: return "a socket";
+        case Type::block:
+        case Type::character: return "a device";
+        default: return "no file";
     }
-    std::sort(programs.begin(), programs.end());
+}
+
+/// The programs in a folder, by their names. Sources and folders are passed over. A link could lead to another student's program.
+std::vector<Entry> programs_in(const std::string& folder) {
+    std::vector<Entry> programs;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const auto status = entry.symlink_status();
+        const auto executable = std::filesystem::perms::owner_exec;
+        if (std::filesystem::is_directory(status)) continue;
+        if (!std::filesystem::is_regular_file(status)) {
+            programs.push_back({entry.path(), kind_of(status.type()) + ": only regular files are graded"});
+        } else if ((status.permissions() & executable) != std::filesystem::perms::none) {
+            programs.push_back({entry.path(), {}});
+        }
+    }
+    std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
     if (programs.empty()) throw Refused(folder + ": contains no programs");
     return programs;
 }
@@ -215,7 +254,7 @@ bool page_is_built() {
 /// Writes a report of each program into the folder named like the table without its extension, and a page of each wrong one if the page
 /// was built.
 int grade_folder(const GradeOptions& options, const Grading& grading) {
-    const std::vector<std::filesystem::path> programs = programs_in(options.program);
+    const std::vector<Entry> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
     std::filesystem::create_directories(reports);
     const ScenesToGrade scenes = scenes_of(options);
@@ -223,11 +262,12 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
     const Patience patience{100, std::chrono::seconds(5)};
     const bool has_page = page_is_built();
     std::vector<TableRow> rows;
-    for (const auto& program : programs) {
-        TableRow row{program.filename().string(), std::nullopt, {}};
-        const std::string report = (reports / row.program).string();
+    for (const auto& [program, refused] : programs) {
+        TableRow row{escaped_for_terminal(program.filename().string()), std::nullopt, {}};
+        const std::string report = (reports / program.filename()).string();
         std::string text;
         try {
+            if (!refused.empty()) throw Refused(refused);
             ProgramGrade grade = grade_program(program, scenes, grading, [](std::size_t) {});
             row.reason = mute(grade);
             if (row.reason.empty()) {
@@ -236,14 +276,15 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
                 if (first && first->run.header) {
                     const SceneGrade smallest = smallest_of(program.string(), grade, grading, patience);
                     text += report_of_smallest(smallest, grading);
-                    if (has_page) write_file(report + ".html", page_of(smallest, grading.say));
+                    if (has_page) write_new(report + ".html", page_of(smallest, grading.say));
                 }
                 row.grade = std::move(grade);
             }
-        } catch (const Refused& refused) {
-            row.reason = refused.what();
+        } catch (const Refused& reason) {
+            row.reason = escaped_for_terminal(reason.what());
+            row.grade.reset();
         }
-        write_file(report + ".txt", row.grade ? text : row.reason + '\n');
+        write_new(report + ".txt", row.grade ? text : row.reason + '\n');
         std::cout << "  " << row.program << ": "
                   << (!row.grade           ? row.reason
                       : row.grade->right() ? grading.say({"right", "верно"})
@@ -252,8 +293,8 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
                   << '\n';
         rows.push_back(std::move(row));
     }
-    write_file(options.output,
-               options.output.ends_with(".csv") ? table_as_csv(rows, grading.say) : table_as_json(rows, grading.say));
+    write_new(options.output,
+              options.output.ends_with(".csv") ? table_as_csv(rows, grading.say) : table_as_json(rows, grading.say));
     const auto is_right = [](const TableRow& row) { return row.grade && row.grade->right(); };
     return std::all_of(rows.begin(), rows.end(), is_right) ? 0 : 1;
 }
@@ -295,6 +336,15 @@ void add_grade(CLI::App& program, int& status) {
     command.add_option("--seconds", options->seconds, "The time limit for a run")
         ->check(CLI::Range(1, 3600))
         ->capture_default_str();
+    command.add_option("--memory", options->memory, "The MiB of memory for the processes of a run together")
+        ->check(CLI::Range(16, 1 << 20))
+        ->capture_default_str();
+    command.add_option("--written", options->written, "The MiB that a run may write and print")
+        ->check(CLI::Range(1, 1 << 16))
+        ->capture_default_str();
+    command.add_option("--processes", options->processes, "How many processes and threads a run may have at once")
+        ->check(CLI::Range(1, 1 << 16))
+        ->capture_default_str();
     command.add_flag("--first", options->first,
                      "Stop at the first scene that goes wrong, without a search for a smaller one");
     command.add_flag("--no-sandbox", options->no_sandbox,
@@ -308,8 +358,9 @@ void add_grade(CLI::App& program, int& status) {
     command.footer(
         "It judges Warnock's algorithm, the Z-buffer, Weiler and Atherton's algorithm and the floating horizon.\n"
         "A different order, a different rule for outlines, recursion and float are accepted. Steps that a program\n"
-        "does not report are not judged; the report lists what was reported. Programs run with limits of time, memory\n"
-        "and output, and under bubblewrap, where it is installed, without network and without access to your files.\n"
+        "does not report are not judged; the report lists what was reported. Programs run with limits and, where\n"
+        "bubblewrap can create a sandbox, without network and without access to your files. What cannot be guaranteed\n"
+        "is said before any program runs; docs/grading.md has the details.\n"
         "Example: vidno grade ./warnock -o report.html\n"
         "Example: vidno grade homework/ --detail polygons -o table.csv\n"
         "Exit status 1: something is wrong, or a required claim is missing.");

@@ -1,8 +1,14 @@
 #include "grade/contained.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,103 +18,397 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
+#include "grade/sandbox.h"
+#include "output.h"
 #include "refused.h"
 
 namespace vidno {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::size_t kept_of_output = 4096;
-constexpr int cannot_start = 127;
+constexpr int cannot_start = 127, handshake_number = 3;
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
-std::string system_reason() { return std::strerror(errno); }
-
-/// Owns a file descriptor.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
+/// Removes all that is in a folder, however deep it is and whatever its permissions are. Leaves this process in some other folder.
+void empty_folder(const std::string& folder) {
+    if (chdir(folder.c_str()) != 0) return;
+    for (int depth = 0; depth >= 0;) {
+        chmod(".", S_IRWXU);
+        std::string below;
+        DIR* const here = opendir(".");
+        while (const dirent* each = here ? readdir(here) : nullptr) {
+            const std::string name = each->d_name;
+            if (name == "." || name == "..") continue;
+            if (unlink(each->d_name) != 0 && rmdir(each->d_name) != 0) below = name;
+        }
+        if (here) closedir(here);
+        if (below.empty()) {
+            --depth;
+            if (chdir("..") != 0) return;
+        } else {
+            ++depth;
+            chmod(below.c_str(), S_IRWXU);
+            if (chdir(below.c_str()) != 0) return;
+        }
     }
-
-private:
-    int number_;
-};
-
-void limit(int resource, std::uint64_t amount) {
-    const rlimit both{amount, amount};
-    setrlimit(__rlimit_resource_t(resource), &both);
 }
 
+/// A folder of this machine for a run without a sandbox.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "vidno-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw Refused(name + ": " + system_reason());
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        empty_folder(path_);
+        rmdir(path_.c_str());
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+struct EndsDescendants {
+    EndsDescendants() = default;
+    ~EndsDescendants() { end_descendants(); }
+    EndsDescendants(const EndsDescendants&) = delete;
+    EndsDescendants& operator=(const EndsDescendants&) = delete;
+};
+
+/// Limits the process; 0 is this one. Only calls async-signal-safe functions.
+bool limit_process(pid_t process, const Limits& limits, bool in_a_sandbox) {
+    bool holds = true;
+    const auto set = [&](__rlimit_resource resource, std::uint64_t amount, std::uint64_t more = 0) {
+        rlimit now{};
+        holds = holds && prlimit(process, resource, nullptr, &now) == 0;
+        const rlimit both{std::min<rlim_t>(amount, now.rlim_max), std::min<rlim_t>(amount + more, now.rlim_max)};
+        holds = holds && prlimit(process, resource, &both, nullptr) == 0;
+    };
+    constexpr std::uint64_t open_files = 256;
+    set(RLIMIT_CPU, std::uint64_t(limits.time.count()), 1);
+    set(RLIMIT_AS, limits.memory);
+    set(RLIMIT_FSIZE, limits.written);
+    set(RLIMIT_CORE, 0);
+    set(RLIMIT_NOFILE, open_files);
+    set(RLIMIT_MSGQUEUE, 0);
+    // Outside the sandbox's user namespace this would count all processes of the user. Inside, bubblewrap has one.
+    if (in_a_sandbox) set(RLIMIT_NPROC, std::uint64_t(limits.processes) + 1);
+    return holds;
+}
+
+/// Limits a process in the sandbox. The system lets a user limit the own processes, but not always root those of others.
+bool limit_process_as(unsigned user, pid_t process, const Limits& limits) {
+    if (limit_process(process, limits, true)) return true;
+    const pid_t helper = fork();
+    if (helper == 0) _exit((geteuid() != 0 || leave_root_for(user)) && limit_process(process, limits, true) ? 0 : 1);
+    int status = -1;
+    return helper > 0 && waitpid(helper, &status, 0) == helper && status == 0;
+}
+
+/// The words as exec takes them: pointers, then null.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (auto& each : words) pointers.push_back(each.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// What the program becomes after fork.
+struct ProgramStart {
+    std::vector<std::string> words, variables;
+    std::vector<Descriptor> inherited;  // by the sandbox
+    std::string folder;                 // where the program begins; empty in a sandbox
+    int output = -1, handshake = -1;    // without a sandbox, the end of the handshake is closed when the program begins
+};
+
 /// Runs in the child between fork and exec, so it calls only async-signal-safe functions.
-[[noreturn]] void become(char* const* words, const char* folder, char* const* environment, int output,
-                         const Limits& limits) {
+[[noreturn]] void become(const ProgramStart& start, char* const* words, char* const* variables, const Limits& limits) {
+    const bool in_a_sandbox = start.folder.empty();
     setpgid(0, 0);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
-    dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
-    limit(RLIMIT_CPU, std::uint64_t(limits.time.count()));
-    limit(RLIMIT_AS, limits.memory);
-    limit(RLIMIT_FSIZE, limits.file);
-    limit(RLIMIT_CORE, 0);
-    if (chdir(folder) == 0) execve(words[0], words, environment);
+    dup2(start.output, STDOUT_FILENO);
+    dup2(start.output, STDERR_FILENO);
+    close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
+    for (const Descriptor& each : start.inherited) fcntl(each.number(), F_SETFD, 0);
+    bool can_start = true;
+    if (in_a_sandbox) {
+        can_start =
+            dup2(start.handshake, handshake_number) >= 0 && fcntl(handshake_number, F_SETFD, 0) == 0 && leave_root();
+    } else {
+        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+        can_start = limit_process(0, limits, false) && chdir(start.folder.c_str()) == 0;
+    }
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    if (can_start) execve(words[0], words, variables);
     _exit(cannot_start);
 }
 
-/// Reads what the program prints and keeps the beginning. Returns `done` when the program has closed its outputs, otherwise why it must be
-/// stopped.
-Ending drain(int pipe, const Limits& limits, std::string& kept) {
-    const auto deadline = std::chrono::steady_clock::now() + 2 * limits.time;
-    std::array<char, 1 << 16> block;
-    for (std::uint64_t printed = 0; printed <= limits.file;) {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-        if (left.count() <= 0) return Ending::out_of_time;
-        pollfd waiting{pipe, POLLIN, 0};
-        if (poll(&waiting, 1, int(left.count())) <= 0) continue;
-        const ssize_t size = read(pipe, block.data(), block.size());
-        if (size <= 0) return Ending::done;
-        kept.append(block.data(), std::min(std::size_t(size), kept_of_output - kept.size()));
-        printed += std::uint64_t(size);
+std::uint64_t written_in(int folder, const std::string& on_this_machine) {
+    if (on_this_machine.empty()) {
+        struct statvfs about {};
+        constexpr std::uint64_t cost_of_file = 1024;
+        if (fstatvfs(folder, &about) != 0) return 0;
+        return (about.f_blocks - about.f_bfree) * about.f_frsize + (about.f_files - about.f_ffree) * cost_of_file;
     }
-    return Ending::too_much_output;
+    std::uint64_t bytes = 0;
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator each(on_this_machine, error), end;
+    for (; !error && each != end; each.increment(error)) {
+        struct stat about {};
+        constexpr std::uint64_t block = 512;
+        if (lstat(each->path().c_str(), &about) == 0) bytes += std::uint64_t(about.st_blocks) * block;
+    }
+    return bytes;
 }
 
-/// Waits for the child to end, at most that long. Returns whether it ended.
-bool ends_within(pid_t child, std::chrono::seconds time, int& status, rusage& used) {
-    const auto deadline = std::chrono::steady_clock::now() + time;
-    while (wait4(child, &status, WNOHANG, &used) == 0) {
-        if (std::chrono::steady_clock::now() > deadline) return false;
-        usleep(1000);
+/// The text of a file that the program was to write. Only a regular file in its own folder is read: a link could lead elsewhere, and a pipe
+/// would wait for a writer.
+std::string text_written(int folder, const std::string& name, std::uint64_t most) {
+    fchmod(folder, S_IRWXU);
+    const Descriptor file(openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat about {};
+    if (file.number() < 0 || fstat(file.number(), &about) != 0 || !S_ISREG(about.st_mode)) return "";
+    std::string text(std::min(std::uint64_t(about.st_size), most), '\0');
+    std::size_t size = 0;
+    while (size < text.size()) {
+        const ssize_t part = read(file.number(), text.data() + size, text.size() - size);
+        if (part <= 0) break;
+        size += std::size_t(part);
     }
-    return true;
+    text.resize(size);
+    return text;
 }
 
 /// A vector that doubles its capacity fails when old and new storage together exceed the limit: a third of it was in use before.
-bool used_much(const rusage& used, const Limits& limits) {
-    return std::uint64_t(used.ru_maxrss) * 1024 > limits.memory / 3;
-}
+bool used_much(std::uint64_t memory, const Limits& limits) { return memory > limits.memory / 3; }
 
 Ending ending_of(int status, const rusage& used, const std::string& said, const Limits& limits) {
     const bool failed = WIFSIGNALED(status) || WEXITSTATUS(status) != 0;
     if (!failed) return Ending::done;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ) return Ending::too_much_output;
-    const bool over_time = std::chrono::seconds(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1) >= limits.time;
+    const auto seconds = std::chrono::seconds(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                         std::chrono::microseconds(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    const bool over_time = seconds >= limits.time;
     if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || (WTERMSIG(status) == SIGKILL && over_time))) {
         return Ending::out_of_time;
     }
-    if (used_much(used, limits) || said.find("bad_alloc") != said.npos) return Ending::out_of_memory;
+    if (used_much(std::uint64_t(used.ru_maxrss) * 1024, limits) || said.find("bad_alloc") != said.npos)
+        return Ending::out_of_memory;
     return WIFSIGNALED(status) ? Ending::crashed : Ending::failed;
+}
+
+/// If a signal ends its program, bubblewrap exits with 128 + the signal, as a shell does. This recovers the status.
+int without_bubblewrap(int status) {
+    constexpr int signalled = 128, signals = 64;
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    return code > signalled && code <= signalled + signals ? code - signalled : status;
+}
+
+/// A run under supervision, in the keeper.
+class WatchedRun {
+public:
+    WatchedRun(const ProgramStart& start, Descriptor output, Descriptor handshake, Descriptor folder,
+               const Limits& limits)
+        : limits_(limits),
+          output_(std::move(output)),
+          handshake_(std::move(handshake)),
+          folder_(std::move(folder)),
+          on_this_machine_(start.folder),
+          in_a_sandbox_(start.folder.empty()) {
+        sigset_t child_ended;
+        sigemptyset(&child_ended);
+        sigaddset(&child_ended, SIGCHLD);
+        signals_ = Descriptor(signalfd(-1, &child_ended, SFD_CLOEXEC | SFD_NONBLOCK));
+        fcntl(output_.number(), F_SETFL, O_NONBLOCK);
+        std::vector<std::string> words = start.words, variables = start.variables;
+        const auto argv = pointers_to(words), envp = pointers_to(variables);
+        child_ = fork();
+        if (child_ < 0) throw Refused("a process: " + system_reason());
+        if (child_ == 0) become(start, argv.data(), envp.data(), limits);
+    }
+
+    /// Returns when the program has ended, or has to be stopped.
+    void watch(int grader) {
+        while (!status_ && !stopped_) {
+            wait_for_news(grader);
+            int status = 0;
+            rusage used{};
+            for (pid_t ended = 0; (ended = wait4(-1, &status, WNOHANG, &used)) > 0;) {
+                if (ended != child_) continue;
+                status_ = status;
+                used_ = used;
+            }
+            if (!status_ && Clock::now() >= next_look_) look();
+        }
+    }
+
+    /// After the end of all descendants.
+    Ended result(const std::string& wanted) {
+        read_output();
+        if (!is_ready_)
+            throw Refused(said_.empty() ? "the sandbox cannot be created" : said_.substr(0, said_.find('\n')));
+        const bool wrote_much = printed_ + written_in(folder_.number(), on_this_machine_) > limits_.written;
+        if (!stopped_ && wrote_much) stopped_ = Ending::too_much_output;
+        Ended ended{Ending::done, 0, said_, text_written(folder_.number(), wanted, limits_.written)};
+        if (stopped_) {
+            ended.ending = *stopped_;
+            return ended;
+        }
+        const int status = in_a_sandbox_ ? without_bubblewrap(*status_) : *status_;
+        ended.ending = ending_of(status, used_, said_, limits_);
+        ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+        if (ended.code == cannot_start && said_.empty()) throw Refused("cannot be started");
+        return ended;
+    }
+
+private:
+    void wait_for_news(int grader) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(next_look_ - Clock::now());
+        std::array<pollfd, 4> all{pollfd{grader, POLLIN, 0},
+                                  {signals_.number(), POLLIN, 0},
+                                  {output_.number(), POLLIN, 0},
+                                  {handshake_.number(), POLLIN, 0}};
+        if (poll(all.data(), all.size(), std::max(int(left.count()), 0)) <= 0) return;
+        if (all[0].revents != 0) throw Refused("the grader has ended");
+        signalfd_siginfo which{};
+        while (read(signals_.number(), &which, sizeof which) > 0) {
+        }
+        if (all[2].revents != 0) read_output();
+        if (all[3].revents != 0) begin();
+    }
+
+    void read_output() {
+        std::array<char, 1 << 16> block;
+        for (int blocks = 0; output_.number() >= 0 && blocks < 16; ++blocks) {
+            const ssize_t size = read(output_.number(), block.data(), block.size());
+            if (size < 0) return;
+            if (size == 0) output_.close();
+            said_.append(block.data(), std::min(std::size_t(size), kept_of_output - said_.size()));
+            printed_ += std::uint64_t(size);
+        }
+        if (printed_ > limits_.written) stopped_ = Ending::too_much_output;
+    }
+
+    /// The sandbox is ready, or, if the other end was closed, it cannot be created or the program runs without one.
+    void begin() {
+        char line = 0;
+        if (read(handshake_.number(), &line, 1) == 1) {
+            const int first = first_child_of(child_), program = first_child_of(first);
+            const std::string inside = "/proc/" + std::to_string(first) + "/root" + folder_inside;
+            struct stat about {};
+            if (program == 0 || stat(("/proc/" + std::to_string(program)).c_str(), &about) != 0)
+                throw Refused("the sandbox's processes cannot be seen");
+            if (about.st_uid == 0) throw Refused("the sandbox would have the rights of root");
+            // This keeps the folder after the sandbox has ended.
+            folder_ = Descriptor(open(inside.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+            if (folder_.number() < 0) throw Refused("the sandbox's folder: " + system_reason());
+            if (!limit_process_as(about.st_uid, program, limits_)) throw Refused("the sandbox cannot be limited");
+            is_ready_ = write(handshake_.number(), "\n", 1) == 1;
+        } else {
+            is_ready_ = !in_a_sandbox_;
+        }
+        begun_ = next_look_ = Clock::now();
+        handshake_.close();
+    }
+
+    /// Compares what the run uses with the limits. The more a look takes, the longer until the next one.
+    void look() {
+        const auto now = Clock::now();
+        // Before it begins, a process still has the memory of the grader.
+        const Used used = is_ready_ ? used_by_descendants() : Used{};
+        constexpr int of_bubblewrap = 2;
+        if (printed_ + written_in(folder_.number(), on_this_machine_) > limits_.written)
+            stopped_ = Ending::too_much_output;
+        if (used.memory > limits_.memory) stopped_ = Ending::out_of_memory;
+        if (used.processes > limits_.processes + (in_a_sandbox_ ? of_bubblewrap : 0))
+            stopped_ = Ending::too_many_processes;
+        if (now > begun_ + 2 * limits_.time || used.time > limits_.time + std::chrono::seconds(1))
+            stopped_ = Ending::out_of_time;
+        constexpr int share = 10;
+        constexpr std::chrono::milliseconds least(10), most(100);
+        next_look_ = Clock::now() + std::clamp<Clock::duration>(share * (Clock::now() - now), least, most);
+    }
+
+    const Limits& limits_;
+    Descriptor output_, handshake_, folder_, signals_;
+    std::string on_this_machine_;
+    bool in_a_sandbox_, is_ready_ = false;
+    pid_t child_ = -1;
+    Clock::time_point begun_ = Clock::now(), next_look_ = begun_;
+    std::optional<int> status_;
+    rusage used_{};
+    std::optional<Ending> stopped_;
+    std::string said_;
+    std::uint64_t printed_ = 0;
+};
+
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
+/// In the keeper: starts the program, watches it, and leaves nothing of it.
+Ended kept(const std::string& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
+           const Limits& limits, int grader) {
+    const bool in_a_sandbox = !limits.bubblewrap.empty();
+    std::optional<TemporaryFolder> folder;
+    if (!in_a_sandbox) folder.emplace();
+    const EndsDescendants always;  // before its folder is removed
+    const std::string place = in_a_sandbox ? folder_inside : folder->path();
+    Variables variables{{wanted.variable, place + "/" + wanted.name}};
+    std::vector<FileInside> inside;
+    for (const FileOfRun& each : given) {
+        const std::string name = (in_a_sandbox ? "" : place) + "/" + each.name;
+        variables.emplace_back(each.variable, name);
+        if (in_a_sandbox) {
+            inside.emplace_back(name, each.text);
+        } else {
+            write_file(name, each.text);
+        }
+    }
+    int ends[2], line[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw Refused("a pipe: " + system_reason());
+    Descriptor in(ends[0]), out(ends[1]);
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line) != 0) throw Refused("a socket: " + system_reason());
+    Descriptor near(line[0]), far(line[1]);
+    ProgramStart start;
+    start.output = out.number();
+    start.handshake = far.number();
+    Descriptor own_folder;
+    if (in_a_sandbox) {
+        variables.insert(variables.end(),
+                         {{"PATH", "/usr/local/bin:/usr/bin:/bin"}, {"HOME", place}, {"TMPDIR", place}});
+        SandboxCommand command =
+            sandbox_command(limits.bubblewrap, program, variables, inside, limits.written + mebibyte, handshake_number);
+        start.words = std::move(command.words);
+        start.inherited = std::move(command.inherited);
+    } else {
+        start.words = {program};
+        for (char** each = environ; *each; ++each) start.variables.emplace_back(*each);
+        for (const auto& [name, value] : variables) start.variables.emplace_back(name).append("=").append(value);
+        start.folder = place;
+        own_folder = Descriptor(open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    }
+    WatchedRun run(start, std::move(in), std::move(near), std::move(own_folder), limits);
+    out.close();
+    far.close();
+    run.watch(grader);
+    end_descendants();
+    return run.result(wanted.name);
 }
 
 struct SignalWords {
@@ -141,51 +441,49 @@ const SignalWords* words_of_signal(int signal) {
     return found == signal_words.end() ? nullptr : found;
 }
 
-using Variables = std::vector<std::pair<std::string, std::string>>;
+std::string as_text(const Ended& ended) {
+    return std::to_string(int(ended.ending)) + ' ' + std::to_string(ended.code) + ' ' +
+           std::to_string(ended.said.size()) + '\n' + ended.said + ended.written;
+}
 
-constexpr const char* program_inside = "/program";
+Ended from_text(const std::string& text) {
+    int ending = 0, code = 0;
+    std::size_t size = 0;
+    std::istringstream(text) >> ending >> code >> size;
+    const std::size_t begin = text.find('\n') + 1;
+    return {Ending(ending), code, text.substr(begin, size), text.substr(begin + size)};
+}
 
-/// The command that runs the program in a sandbox. System folders that are symbolic links remain links inside.
-std::vector<std::string> in_sandbox(const std::string& bubblewrap, const std::string& program,
-                                    const std::string& folder, const Variables& variables) {
-    std::vector<std::string> words{bubblewrap,      "--unshare-all", "--die-with-parent",
-                                   "--new-session", "--cap-drop",    "ALL"};
-    const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-    for (const std::string place : {"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
-        if (std::filesystem::is_symlink(place)) {
-            add({"--symlink", std::filesystem::read_symlink(place).string(), place});
-        } else {
-            add({"--ro-bind-try", place, place});
-        }
+/// By what a guarantee is given.
+enum class Means : unsigned char { sandbox, filter, counting };
+
+struct Guarantee {
+    Bilingual what;
+    std::initializer_list<Means> needs;
+};
+
+/// docs/grading.md describes them, and what always holds.
+const Guarantee guarantees[] = {
+    {{"which files it reads", "какие файлы она читает"}, {Means::sandbox}},
+    {{"where it writes", "куда она пишет"}, {Means::sandbox}},
+    {{"how much it writes in all", "сколько она пишет всего"}, {Means::sandbox}},
+    {{"that no file of it remains", "что от неё не останется файлов"}, {Means::sandbox}},
+    {{"that it has no rights of yours", "что у неё нет ваших прав"}, {Means::sandbox}},
+    {{"that it reaches no network and no other process", "что ей недоступны сеть и другие процессы"}, {Means::sandbox}},
+    {{"how many processes it runs", "сколько процессов она запускает"}, {Means::sandbox, Means::counting}},
+    {{"that no process of it survives", "что её процессы не переживут её"}, {Means::counting}},
+    {{"how much memory its processes take together", "сколько памяти занимают её процессы вместе"}, {Means::counting}},
+    {{"that it takes no memory of the system besides", "что она не займёт ещё и память системы"},
+     {Means::sandbox, Means::filter}},
+};
+
+bool is_there(Means means, const Limits& limits) {
+    switch (means) {
+        case Means::sandbox: return !limits.bubblewrap.empty();
+        case Means::filter: return can_refuse_calls();
+        case Means::counting: return can_find_descendants();
     }
-    for (const std::string file : {"/etc/ld.so.cache", "/etc/alternatives"}) add({"--ro-bind-try", file, file});
-    add({"--proc", "/proc", "--dev", "/dev", "--bind", folder, folder, "--ro-bind", program, program_inside});
-    add({"--remount-ro", "/", "--chdir", folder, "--clearenv"});
-    add({"--setenv", "PATH", "/usr/local/bin:/usr/bin:/bin", "--setenv", "HOME", folder, "--setenv", "TMPDIR", folder});
-    for (const auto& [name, value] : variables) add({"--setenv", name, value});
-    add({"--", program_inside});
-    return words;
-}
-
-/// If a signal ends its program, bubblewrap exits with 128 + the signal, as a shell does. This recovers the signal.
-void name_signal(Ended& ended) {
-    constexpr int signalled = 128, signals = 64;
-    if (ended.code <= signalled || ended.code > signalled + signals) return;
-    ended.code -= signalled;
-    if (ended.code == SIGXFSZ)
-        ended.ending = Ending::too_much_output;
-    else if (ended.code == SIGXCPU || ended.code == SIGKILL)
-        ended.ending = Ending::out_of_time;
-    else if (ended.ending == Ending::failed)
-        ended.ending = Ending::crashed;
-}
-
-/// The words as exec takes them: pointers, then null.
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (auto& each : words) pointers.push_back(each.data());
-    pointers.push_back(nullptr);
-    return pointers;
+    return false;
 }
 
 }  // namespace
@@ -193,24 +491,30 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 Sandbox find_sandbox() {
     const char* const path = std::getenv("PATH");
     std::istringstream places(path ? path : "");
-    Sandbox found{{}, "bubblewrap is not installed"};
     for (std::string place; std::getline(places, place, ':');) {
-        const std::string file = place + "/bwrap";
-        if (access(file.c_str(), X_OK) != 0) continue;
-        // Where user namespaces are forbidden, as in many containers, bwrap exists but cannot create a sandbox.
-        const TemporaryFolder folder;
         Limits limits;
-        limits.bubblewrap = file;
+        limits.bubblewrap = place + "/bwrap";
+        if (access(limits.bubblewrap.c_str(), X_OK) != 0) continue;
+        // Where user namespaces are forbidden, as in many containers, bwrap exists but cannot create a sandbox.
         try {
-            const Ended ended = run_contained("/bin/true", folder.path(), {}, limits);
-            if (ended.ending == Ending::done) return {file, {}};
-            found.missing = ended.said.substr(0, ended.said.find('\n'));
+            const Ended ended = run_contained("/bin/true", {}, {"VIDNO_TRACE", "trace.jsonl"}, limits);
+            if (ended.ending == Ending::done) return {limits.bubblewrap, {}};
+            return {{}, ended.said.substr(0, ended.said.find('\n'))};
         } catch (const Refused& refused) {
-            found.missing = refused.what();
+            return {{}, refused.what()};
         }
-        return found;
     }
-    return found;
+    return {{}, "bubblewrap is not installed"};
+}
+
+std::string not_guaranteed(const Limits& limits, const Words& say) {
+    std::string text;
+    for (const Guarantee& each : guarantees) {
+        const bool holds =
+            std::all_of(each.needs.begin(), each.needs.end(), [&](Means means) { return is_there(means, limits); });
+        if (!holds) text.append(text.empty() ? "" : "; ").append(say(each.what));
+    }
+    return text;
 }
 
 std::string words_of(const Ended& ended, const Limits& limits, const Words& say) {
@@ -229,7 +533,9 @@ std::string words_of(const Ended& ended, const Limits& limits, const Words& say)
             return say({"asked for more than {} MiB of memory", "запросила больше {} МиБ памяти"},
                        mebibytes(limits.memory));
         case Ending::too_much_output:
-            return say({"wrote more than {} MiB", "записала больше {} МиБ"}, mebibytes(limits.file));
+            return say({"wrote more than {} MiB", "записала больше {} МиБ"}, mebibytes(limits.written));
+        case Ending::too_many_processes:
+            return say({"ran more than {} processes at once", "запустила больше {} процессов сразу"}, limits.processes);
     }
     return "";
 }
@@ -239,60 +545,21 @@ std::string cause_of(const Ended& ended, const Words& say) {
     return words ? say(words->cause) : "";
 }
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "vidno-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Refused(name + ": " + system_reason());
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-Ended run_contained(const std::filesystem::path& program, const std::filesystem::path& folder,
-                    const std::vector<std::pair<std::string, std::string>>& environment, const Limits& limits) {
-    const std::string file = std::filesystem::absolute(program).string(), place = folder.string();
+Ended run_contained(const std::filesystem::path& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
+                    const Limits& limits) {
+    const std::string file = std::filesystem::absolute(program).string();
     if (access(file.c_str(), X_OK) != 0) {
         const bool is_there = errno == EACCES;
         throw Refused(program.string() + ": " +
                       (is_there ? "not executable: compile the source first, or set the permission by chmod +x"
                                 : system_reason()));
     }
-    const bool in_a_sandbox = !limits.bubblewrap.empty();
-    std::vector<std::string> words{file}, variables;
-    if (in_a_sandbox) words = in_sandbox(limits.bubblewrap, file, place, environment);
-    for (char** each = environ; *each; ++each) variables.emplace_back(*each);
-    for (const auto& [name, value] : environment) variables.emplace_back(name).append("=").append(value);
-    const std::vector<char*> argv = pointers_to(words), envp = pointers_to(variables);
-
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Refused(program.string() + ": " + system_reason());
-    Descriptor in(ends[0]), out(ends[1]);
-    const pid_t child = fork();
-    if (child < 0) throw Refused(program.string() + ": " + system_reason());
-    if (child == 0) become(argv.data(), place.c_str(), envp.data(), out.number(), limits);
-    setpgid(child, child);  // the child does the same: either may run first
-    out.close();
-
-    Ended ended;
-    const Ending stopped = drain(in.number(), limits, ended.said);
-    int status = 0;
-    rusage used{};
-    const bool over = stopped == Ending::done && ends_within(child, 2 * limits.time, status, used);
-    kill(-child, SIGKILL);
-    if (!over) {
-        wait4(child, &status, 0, &used);
-        ended.ending = stopped == Ending::done ? Ending::out_of_time : stopped;
-        return ended;
+    if (!std::filesystem::is_regular_file(file)) throw Refused(program.string() + ": not a regular file");
+    try {
+        return from_text(in_keeper([&](int grader) { return as_text(kept(file, given, wanted, limits, grader)); }));
+    } catch (const Refused& refused) {
+        throw Refused(program.string() + ": " + refused.what());
     }
-    ended.ending = ending_of(status, used, ended.said, limits);
-    ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
-    if (in_a_sandbox) name_signal(ended);
-    if (in_a_sandbox && ended.ending == Ending::failed && ended.said.starts_with("bwrap: "))
-        throw Refused(program.string() + ": " + ended.said.substr(0, ended.said.find('\n')) + "; see --no-sandbox");
-    if (ended.code == cannot_start && ended.said.empty()) throw Refused(program.string() + ": cannot be started");
-    return ended;
 }
 
 }  // namespace vidno

@@ -1,8 +1,6 @@
 /// Contained: runs an untrusted program under limits and, if possible, in a sandbox.
 ///
-/// The program gets its own process group and working folder, limits of time, memory and file size, and no input. All that it prints is
-/// read, and the beginning is kept. This guards against mistakes. Bubblewrap's sandbox guards against malice: it has no network and no
-/// other processes. It shows only the files of the system, which are read-only, the program itself and its working folder.
+/// The limits hold for the whole run: for the program and all that it starts, together. docs/grading.md lists what is guaranteed.
 #pragma once
 
 #include <chrono>
@@ -17,25 +15,28 @@
 namespace vidno {
 
 struct Limits {
-    std::chrono::seconds time{10};                  // processor time; the limit of wall-clock time is twice that
-    std::uint64_t memory = std::uint64_t{1} << 29;  // bytes of address space
-    std::uint64_t file = std::uint64_t{1} << 26;    // bytes of each file that it writes, and of all that it prints
-    std::string bubblewrap{};                       // path of bwrap; empty: run without a sandbox
+    std::chrono::seconds time{10};                   // processor time; the limit of wall-clock time is twice that
+    std::uint64_t memory = std::uint64_t{1} << 29;   // bytes; for each process also of address space
+    std::uint64_t written = std::uint64_t{1} << 26;  // bytes that it writes and prints
+    int processes = 64;                              // at the same time, their threads included
+    std::string bubblewrap{};                        // path of bwrap; empty: run without a sandbox
 };
 
 enum class Ending : unsigned char {
-    done,            // exit status 0
-    failed,          // another exit status
-    crashed,         // ended by a signal
-    out_of_time,     // exceeded the limit of time
-    out_of_memory,   // exceeded the limit of memory
-    too_much_output  // wrote or printed more than the limit
+    done,               // exit status 0
+    failed,             // another exit status
+    crashed,            // ended by a signal
+    out_of_time,        // exceeded the limit of time
+    out_of_memory,      // exceeded the limit of memory
+    too_much_output,    // wrote or printed more than the limit
+    too_many_processes  // exceeded the limit of processes
 };
 
 struct Ended {
     Ending ending = Ending::done;
-    int code = 0;      // the exit status, or the signal
-    std::string said;  // the beginning of what it printed, on both outputs
+    int code = 0;         // the exit status, or the signal
+    std::string said;     // the beginning of what it printed, on both outputs
+    std::string written;  // the text of the file that it was to write; empty if there is none
 };
 
 /// How the program ended, in words such as "crashed (SIGSEGV)".
@@ -44,29 +45,23 @@ std::string words_of(const Ended& ended, const Limits& limits, const Words& say)
 /// The usual cause of such a crash, in words; empty if it is unknown or the program did not crash.
 std::string cause_of(const Ended& ended, const Words& say);
 
-/// A temporary folder; the destructor removes it. The constructor throws Refused if it cannot create one.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
 /// The path of bubblewrap if it can create a sandbox here; otherwise the reason why not.
 struct Sandbox {
     std::string bubblewrap, missing;
 };
 Sandbox find_sandbox();
 
-/// Runs a program without arguments in the folder, with variables added to the environment. In a sandbox the program sees only those and
-/// PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
-Ended run_contained(const std::filesystem::path& program, const std::filesystem::path& folder,
-                    const std::vector<std::pair<std::string, std::string>>& environment, const Limits& limits);
+/// What is not guaranteed with these limits on this machine, in words; empty if everything is.
+std::string not_guaranteed(const Limits& limits, const Words& say);
+
+/// A file of a run. The environment variable tells the program where it is.
+struct FileOfRun {
+    std::string variable, name, text{};
+};
+
+/// Runs a program without arguments. It is given some files, and is to write another one. In a sandbox it sees only the variables of these
+/// files and PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
+Ended run_contained(const std::filesystem::path& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
+                    const Limits& limits);
 
 }  // namespace vidno

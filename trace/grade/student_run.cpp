@@ -1,13 +1,12 @@
 #include "grade/student_run.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "format/trace_reader.h"
 #include "json/json_text.h"
-#include "output.h"
 
 namespace vidno {
 
@@ -100,21 +99,16 @@ StudentRun read_student_trace(std::string text) {
 
 StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
                        const Limits& limits) {
-    const TemporaryFolder folder;
-    const auto trace_file = folder.path() / "trace.jsonl";
-    std::vector<std::pair<std::string, std::string>> environment{{"VIDNO_TRACE", trace_file.string()}};
+    std::vector<FileOfRun> given;
     for (const DrawnScene& scene : scenes) {
         const bool is_surface = std::holds_alternative<Surface>(scene);
-        const auto file = folder.path() / (is_surface ? "surface.txt" : "scene.txt");
-        std::ofstream(file, std::ios::binary) << std::visit([](const auto& each) { return scene_text(each); }, scene);
-        environment.emplace_back(is_surface ? "VIDNO_SURFACE" : "VIDNO_SCENE", file.string());
+        given.push_back({is_surface ? "VIDNO_SURFACE" : "VIDNO_SCENE", is_surface ? "surface.txt" : "scene.txt",
+                         std::visit([](const auto& each) { return scene_text(each); }, scene)});
     }
-    const Ended ended = run_contained(program, folder.path(), environment, limits);
+    Ended ended = run_contained(program, given, {"VIDNO_TRACE", "trace.jsonl"}, limits);
     StudentRun run;
-    // A symbolic link could lead to a file that is not the program's own.
-    const auto kind = std::filesystem::symlink_status(trace_file).type();
-    if (kind == std::filesystem::file_type::regular) run = read_student_trace(read_file(trace_file.string()));
-    run.ended = ended;
+    if (!ended.written.empty()) run = read_student_trace(std::exchange(ended.written, {}));
+    run.ended = std::move(ended);
     return run;
 }
 
