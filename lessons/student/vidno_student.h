@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -152,6 +153,20 @@ enum class Case { empty, surrounded, pixel, single, split };
 /// The corners of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper left on the screen.
 enum class Corner { left_bottom, left_top, right_bottom, right_top };
 
+/// A row, a column, or another number that must be whole: C++ would cut y + 0.5 down to y in silence.
+struct Whole {
+    template <class Number>
+    Whole(Number number)
+        : value(is_near(double(number)) ? int(number) : 0), is(double(value) == double(number)), told(double(number)) {}
+
+    int value;
+    bool is;
+    double told;
+
+private:
+    static bool is_near(double number) { return number > -2e9 && number < 2e9; }
+};
+
 /// FIPS 180-4, in hexadecimal.
 inline std::string sha256(std::vector<unsigned char> message) {
     static const std::uint32_t constants[64] = {
@@ -288,6 +303,16 @@ protected:
         if (complaints_ == most) std::cerr << "vidno: more complaints are not shown\n";
     }
 
+    /// Whether the rows and columns of a call are whole, with a complaint if they are not.
+    bool are_whole(const char* call, std::initializer_list<Whole> numbers) {
+        const auto is_whole = [](const Whole& each) { return each.is; };
+        const Whole* const other = std::find_if_not(numbers.begin(), numbers.end(), is_whole);
+        if (other == numbers.end()) return true;
+        begin(call);
+        complain(json(other->told) + " is not a whole number, as a row or a column is");
+        return false;
+    }
+
     /// Makes sure that a procedure runs: if it does not, it is called now, at that line. False, with a complaint, while a procedure that it
     /// called has not reported its result.
     bool run(Procedure procedure, const char* callers_line = "") {
@@ -356,6 +381,20 @@ protected:
                            pixels.bottom == all.bottom;
         if (!whole) complain("pixels outside the area");
         return pixels.left < pixels.right && pixels.top < pixels.bottom;
+    }
+    /// Adds a row of pixels to those that will be painted, as far as it lies in the area.
+    void add_row(std::vector<Pixels>& rows, int first, int y, int end) {
+        Pixels pixels{first, y, end, y + 1};
+        if (cut(pixels)) rows.push_back(pixels);
+    }
+    /// Adds a pixel, to the last row if it is the next one there.
+    void add_pixel(std::vector<Pixels>& rows, int x, int y) {
+        const bool goes_on = !rows.empty() && rows.back().top == y && rows.back().right == x;
+        if (goes_on && x < area().x + area().width) {
+            ++rows.back().right;
+        } else {
+            add_row(rows, x, y, x + 1);
+        }
     }
     static std::string json(const Json& value) { return value.text; }
     static std::string json(bool value) { return value ? "true" : "false"; }
@@ -543,10 +582,11 @@ public:
         if (which != Case::split) fill_line_ = lines[int(which)];
         tell(Detail::windows, "decide", lines[int(which)], "case", names[int(which)]);
     }
-    void fill(int x, int y, int width, int height, const Color& color) {
+    void fill(Whole x, Whole y, Whole width, Whole height, const Color& color) {
+        if (!are_whole("fill", {x, y, width, height})) return;
         begin("fill");
         run(method);
-        Pixels pixels{x, y, x + width, y + height};
+        Pixels pixels{x.value, y.value, x.value + width.value, y.value + height.value};
         if (!cut(pixels)) return;
         paint(pixels, color);
         const Json rect = list(pixels.left, pixels.top, pixels.right - pixels.left, pixels.bottom - pixels.top);
@@ -687,12 +727,20 @@ public:
     // FillPolygon
 
     /// The pixels first <= x < end of row y will be drawn.
-    void row(int y, double left, double right, int first, int end) {
+    void row(Whole y, double left, double right, Whole first, Whole end) {
+        if (!are_whole("row", {y, first, end})) return;
         begin("row");
         run(fill_polygon, draw_line());
-        tell(Detail::signs, "row", "F2", "row", y, "left", left, "right", right, "first", first, "end", end);
-        Pixels pixels{first, y, end, y + 1};
-        if (cut(pixels)) rows_.push_back(pixels);
+        tell(Detail::signs, "row", "F2", "row", y.value, "left", left, "right", right, "first", first.value, "end",
+             end.value);
+        add_row(rows_, first.value, y.value, end.value);
+    }
+    /// A pixel will be drawn, by a program that finds the pixels one by one and no rows.
+    void pixel(Whole x, Whole y) {
+        if (!are_whole("pixel", {x, y})) return;
+        begin("pixel");
+        run(fill_polygon, draw_line());
+        add_pixel(rows_, x.value, y.value);
     }
     /// Result of FillPolygon: the rows take the polygon's colour.
     void draw(int polygon) {
@@ -821,9 +869,10 @@ public:
         tell(Detail::polygons, "edge", "Z3", "edge", edge, "from", from, "to", to);
     }
     void extent(double ymin, double ymax) { step(Detail::polygons, "extent", "Z4", "ymin", ymin, "ymax", ymax); }
-    void scanline(double y, int row) {
-        step(Detail::windows, "scanline", "Z6", "y", y, "row", row);
-        row_ = row;
+    void scanline(double y, Whole row) {
+        if (!are_whole("scanline", {row})) return;
+        step(Detail::windows, "scanline", "Z6", "y", y, "row", row.value);
+        row_ = row.value;
     }
 
     // The active edge list
@@ -867,25 +916,28 @@ public:
 
     // ShowLine
 
-    void line(int row, double from_x, double from_z, double to_x, double to_z) {
-        show(Detail::polygons, "line", "L1", "row", row, "from", list(from_x, from_z), "to", list(to_x, to_z));
-        row_ = row;
+    void line(Whole row, double from_x, double from_z, double to_x, double to_z) {
+        if (!are_whole("line", {row})) return;
+        show(Detail::polygons, "line", "L1", "row", row.value, "from", list(from_x, from_z), "to", list(to_x, to_z));
+        row_ = row.value;
     }
     void miss() { show(Detail::polygons, "miss", "L2"); }
     void slope(double dz) { show(Detail::signs, "slope", "L3", "dz", dz); }
-    void columns(int first, int end, double z) {
-        show(Detail::signs, "columns", "L4", "first", first, "end", end, "z", z);
+    void columns(Whole first, Whole end, double z) {
+        if (!are_whole("columns", {first, end})) return;
+        show(Detail::signs, "columns", "L4", "first", first.value, "end", end.value, "z", z);
     }
     /// Compares its depth z with the stored one; shown if z replaces it.
-    void pixel(int x, int y, double z, double stored, bool shown) {
-        Pixels pixels{x, y, x + 1, y + 1};
-        if (!shows("pixel") || !cut(pixels)) return;
-        if (!depths_.empty() && y != row_) return complain("`span` comes before another row");
-        row_ = y;
-        tell(Detail::signs, "pixel", "L6", "x", x, "y", y, "z", z, "stored", stored, "shown", shown);
+    void pixel(Whole x, Whole y, double z, double stored, bool shown) {
+        if (!are_whole("pixel", {x, y}) || !shows("pixel")) return;
+        Pixels pixels{x.value, y.value, x.value + 1, y.value + 1};
+        if (!cut(pixels)) return;
+        if (!depths_.empty() && y.value != row_) return complain("`span` comes before another row");
+        row_ = y.value;
+        tell(Detail::signs, "pixel", "L6", "x", x.value, "y", y.value, "z", z, "stored", stored, "shown", shown);
         if (!shown) return;
         depths_.push_back(z);
-        if (!runs_.empty() && runs_.back().right == x) {
+        if (!runs_.empty() && runs_.back().right == x.value) {
             ++runs_.back().right;
         } else {
             runs_.push_back(pixels);
@@ -1051,12 +1103,19 @@ public:
     // PaintRegions
 
     /// Row y meets a visible region from left to right; its pixels first <= x < end will be painted.
-    void row(int y, double left, double right, int first, int end) {
+    void row(Whole y, double left, double right, Whole first, Whole end) {
+        if (!are_whole("row", {y, first, end})) return;
         begin("row");
         if (!run(method)) return;
-        tell(Detail::signs, "row", "PR1", "row", y, "left", left, "right", right, "first", first, "end", end);
-        Pixels pixels{first, y, end, y + 1};
-        if (cut(pixels)) rows_.push_back(pixels);
+        tell(Detail::signs, "row", "PR1", "row", y.value, "left", left, "right", right, "first", first.value, "end",
+             end.value);
+        add_row(rows_, first.value, y.value, end.value);
+    }
+    /// A pixel will be painted, by a program that finds the pixels one by one and no rows.
+    void pixel(Whole x, Whole y) {
+        if (!are_whole("pixel", {x, y})) return;
+        begin("pixel");
+        if (run(method)) add_pixel(rows_, x.value, y.value);
     }
     /// The rows take the polygon's colour.
     void paint(int polygon) {
@@ -1124,15 +1183,18 @@ public:
         begin("curve");
         run(method);
         if (next < 0 || std::size_t(next) >= curves_.size()) return complain("the surface has no curve " + json(next));
+        const bool returns = next == curve_;  // a program may call it before each part of the curve
         curve_ = next;
+        if (returns) return tell(Detail::windows, "curve", "FH2", "curve", next);
         has_left_edge_ = has_looked_ = has_drawn_ = has_met_ = false;
         was_ = is_ = 0;
         tell(Detail::windows, "curve", "FH2", "curve", next);
     }
 
     /// Result of SideEdge: the edge on that side has come to this end of the curve.
-    void side_edge(int x, double y) {
-        if (!has_curve("side_edge")) return;
+    void side_edge(Whole column, double y) {
+        if (!are_whole("side_edge", {column}) || !has_curve("side_edge")) return;
+        const int x = column.value;
         const bool is_left = x == samples().front().x;
         const char* const at = is_left ? "FH3" : "FH10";
         if (!end(side_edge_of_curve, at)) return;
@@ -1143,16 +1205,18 @@ public:
     // Visibility
 
     /// The curve's height over a column where there are no horizons.
-    void height(int x, double y) {
-        if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x, "y", y);
+    void height(Whole x, double y) {
+        if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x.value, "y", y);
     }
     /// The same, and the heights of the horizons.
-    void height(int x, double y, double upper, double lower) {
-        if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x, "y", y, "upper", upper, "lower", lower);
+    void height(Whole x, double y, double upper, double lower) {
+        if (looks("height", x))
+            tell(Detail::signs, "height", "V1", "x", x.value, "y", y, "upper", upper, "lower", lower);
     }
     /// Result of Visibility: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 both of the first two.
-    void visibility(int x, int flag) {
-        if (!is_on_curve("visibility", x, x)) return;
+    void visibility(Whole column, int flag) {
+        const int x = column.value;
+        if (!is_on_column("visibility", column)) return;
         if (flag < -1 || flag > 2) return complain("a flag is -1, 0, 1 or 2");
         if (!end(visibility_of_point, looked_at())) return;
         was_ = is_;
@@ -1165,9 +1229,9 @@ public:
     // Intersection, and the lines
 
     /// Is the curve over this column on the other side of the horizon than over the first one?
-    void step(int x, bool changes) {
-        if (!is_on_curve("step", x, x) || !run(intersection_of_segment, met_at())) return;
-        tell(Detail::signs, "step", "IN2", "x", x, "changes", changes);
+    void step(Whole x, bool changes) {
+        if (!is_on_column("step", x) || !run(intersection_of_segment, met_at())) return;
+        tell(Detail::signs, "step", "IN2", "x", x.value, "changes", changes);
     }
     /// Result of Intersection.
     void intersection(double x, double y) {
@@ -1194,14 +1258,16 @@ public:
     // Horizon, after `draw_line` or before an edge
 
     /// The upper horizon over the column becomes y.
-    void raise(int x, double y) { move("raise", "H2", upper_, x, y); }
+    void raise(Whole x, double y) { move("raise", "H2", upper_, x, y); }
     /// The lower horizon over the column becomes y.
-    void lower(int x, double y) { move("lower", "H3", lower_, x, y); }
+    void lower(Whole x, double y) { move("lower", "H3", lower_, x, y); }
     /// Result of Horizon: the columns first <= x <= last were examined.
-    void horizon(int first, int last) {
+    void horizon(Whole first, Whole last) {
+        if (!are_whole("horizon", {first, last})) return;
         begin("horizon");
         if (!moves() || !end(horizon_of_segment, horizon_at())) return;
-        tell(Detail::polygons, "horizon", horizon_at(), "first", first, "last", last, "upper", upper_, "lower", lower_);
+        tell(Detail::polygons, "horizon", horizon_at(), "first", first.value, "last", last.value, "upper", upper_,
+             "lower", lower_);
         upper_.clear();
         lower_.clear();
         has_drawn_ = false;
@@ -1253,7 +1319,8 @@ private:
         return is;
     }
 
-    bool looks(const char* call, int x) { return is_on_curve(call, x, x) && run(visibility_of_point, looked_at()); }
+    bool is_on_column(const char* call, Whole x) { return are_whole(call, {x}) && is_on_curve(call, x.value, x.value); }
+    bool looks(const char* call, Whole x) { return is_on_column(call, x) && run(visibility_of_point, looked_at()); }
     const char* looked_at() const { return has_looked_ ? "FH5" : "FH4"; }
     /// A line that was visible ends at the first intersection; at the next one the curve becomes visible.
     const char* met_at() const { return was_ != 0 && !has_met_ ? "FH7" : "FH8"; }
@@ -1266,8 +1333,10 @@ private:
         return run(horizon_of_segment, horizon_at());
     }
     const char* horizon_at() const { return has_drawn_ ? drawn_at_.c_str() : "SE2"; }
-    void move(const char* call, const char* at, std::vector<Json>& moved, int x, double y) {
+    void move(const char* call, const char* at, std::vector<Json>& moved, Whole column, double y) {
+        if (!are_whole(call, {column})) return;
         begin(call);
+        const int x = column.value;
         if (x < area().x || x >= area().x + area().width) return complain("a column outside the area");
         if (!moves()) return;
         moved.push_back(list(x, y));
