@@ -3,20 +3,21 @@
 
 #include <vector>
 
+#include "choice/language.h"
 #include "scene/surface.h"
 
 namespace vidno {
 
-/// Small scenes, the ordinary ones first. The name of each states its idea.
-std::vector<AdmittedScene> scenes_to_grade();
+/// Small scenes, the ordinary ones first. The name of each states its idea. Depths that must be told apart differ by 1e-7 to 1.
+std::vector<AdmittedScene> scenes_to_grade(Language language = Language::english);
 
 /// `count` random scenes, the same for a seed on every machine. Scenes of convex polygons in an area of any size alternate with scenes of
 /// the families in which vertices lie on pixel centres, on edges and on each other.
-std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count);
+std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count, Language language = Language::english);
 
 /// The same for the floating horizon.
-std::vector<Surface> surfaces_to_grade();
-std::vector<Surface> random_surfaces_to_grade(unsigned seed, int count);
+std::vector<Surface> surfaces_to_grade(Language language = Language::english);
+std::vector<Surface> random_surfaces_to_grade(unsigned seed, int count, Language language = Language::english);
 
 /// Scenes of both kinds. A program draws those of one.
 struct ScenesToGrade {
