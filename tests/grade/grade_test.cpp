@@ -351,6 +351,7 @@ TEST_CASE("Judging Weiler and Atherton: our own runs in double are wrong only wh
         CAPTURE(scene->name);
         const std::string wrong = wrong_of(judgement_of(run_of(scene, Method::weiler_atherton, "double")));
         if (wrong == "right") continue;
+        CAPTURE(wrong);
         CHECK(wrong.ends_with("an outline does not close"));
         wrong_scenes.push_back(scene->name);
     }
@@ -408,7 +409,9 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
             return true;
         };
         CHECK(wrong.operator()<event::Show>(change, Detail::windows) ==
-              "PR3: the visible regions have the area 224: the polygons cover 256 of the area");
+              "PR3: the visible regions have the area 224: the polygons cover 256 of the area; B shows at pixel (4, "
+              "8), and "
+              "none of them has it");
     }
     SUBCASE("a pixel beside the region is painted") {
         const auto change = [](event::Paint& e) {
@@ -419,6 +422,113 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
         CHECK(wrong.operator()<event::Paint>(change, Detail::windows) ==
               "PR3: B is drawn at pixel (12, 4): its centre lies outside of B");
     }
+}
+
+namespace {
+
+using ToldLoop = std::vector<ValuePoint>;
+
+ToldLoop rectangle(double left, double top, double right, double bottom) {
+    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+ToldLoop reversed(ToldLoop loop) {
+    std::reverse(loop.begin(), loop.end());
+    return loop;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Judging Weiler and Atherton: of a visible region the judge tells what it covers, how often, and its direction") {
+    // A and B are squares of area 9, side by side.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 4}).quad(.5, .5, 3.5, 3.5, 0).quad(4.5, .5, 7.5, 3.5, 0).build();
+    const ToldLoop a = rectangle(.5, .5, 3.5, 3.5), b = rectangle(4.5, .5, 7.5, 3.5), hole = rectangle(1, 1, 3, 3);
+    struct Case {
+        const char* told;
+        std::vector<std::pair<int, RegionLoops>> shown;  // a polygon and a visible region of it
+        const char* wrong;
+    };
+    const std::string reverse = ": on the screen outlines run clockwise, and holes counterclockwise";
+    const std::vector<Case> cases{
+        {"both", {{0, {a}}, {1, {b}}}, "right"},
+        {"the other one first", {{1, {b}}, {0, {a}}}, "right"},
+        {"in parts", {{1, {b}}, {0, {rectangle(.5, .5, 2, 3.5)}}, {0, {rectangle(2, .5, 3.5, 3.5)}}}, "right"},
+        {"with a hole, which is another part", {{0, {a, reversed(hole)}}, {0, {hole}}, {1, {b}}}, "right"},
+        {"two parts as one region", {{0, {rectangle(.5, .5, 2, 3.5), rectangle(2, .5, 3.5, 3.5)}}, {1, {b}}}, "right"},
+        {"A twice instead of B",
+         {{0, {a}}, {0, {a}}},
+         "WA8: A is visible in a region of area 9: 9 of it is in a visible region of A that was shown before"},
+        {"a part of A twice",
+         {{0, {a}}, {0, {hole}}, {1, {b}}},
+         "WA8: A is visible in a region of area 4: 4 of it is in a visible region of A that was shown before"},
+        {"A as B",
+         {{0, {a}}, {1, {a}}},
+         "WA8: the visible region of B has a vertex at (0.5, 0.5): that lies outside of B"},
+        {"A only",
+         {{0, {a}}},
+         "WA8: the visible regions have the area 9: the polygons cover 18 of the area; B shows at pixel (5, 1), and "
+         "none "
+         "of them has it"},
+        {"the loop twice in one region",
+         {{0, {a, a}}},
+         "WA8: the visible region of A has an area of 9 more than once: the loops of a region do not overlap"},
+        {"both loops reversed",
+         {{0, {reversed(a)}}, {1, {reversed(b)}}},
+         "WA8: the visible region of A runs counterclockwise around an area of 9"},
+        {"the second one reversed",
+         {{0, {a}}, {1, {reversed(b)}}},
+         "WA8: the visible region of B runs counterclockwise around an area of 9"},
+        {"a hole in the direction of the outline",
+         {{0, {a, hole}}, {0, {hole}}, {1, {b}}},
+         "WA8: the visible region of A has an area of 4 more than once: the loops of a region do not overlap"},
+        // Its two halves have the areas 4.5 / 2 each, one of them negative.
+        {"a loop that crosses itself",
+         {{0, {{{.5, .5}, {3.5, 3.5}, {3.5, .5}, {.5, 3.5}}}}, {1, {b}}},
+         "WA8: the visible region of A runs counterclockwise around an area of 2.25"},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.told);
+        StudentRun run = run_of(scene, Method::weiler_atherton, "double", Edition::corrected, Detail::windows);
+        std::erase_if(run.events, [](const Event& e) { return e.get_if<event::Show>() || e.get_if<event::Paint>(); });
+        for (const auto& [polygon, region] : each.shown)
+            run.events.push_back(event::Show{Line::WA8, PolygonPlace{polygon}, region});
+        const std::string wrong = wrong_of(judgement_of(run)),
+                          end = std::string(each.wrong).find("counterclockwise") == std::string::npos ? "" : reverse;
+        CHECK(wrong == each.wrong + end);
+    }
+}
+
+TEST_CASE("Judging Weiler and Atherton: the parts of a piece are those inside and outside of the clip piece") {
+    // The near square B from (4, 4) to (12, 12) clips the far one, A.
+    const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .125).quad(4, 4, 12, 12, .5).build();
+    const auto wrong = [&](auto change) {
+        return wrong_of(with_changed<event::Clipped>(scene, Method::weiler_atherton, change));
+    };
+    const ToldLoop b = rectangle(4, 4, 12, 12);
+    CHECK(wrong([&](event::Clipped& e) { return e.inside = {rectangle(4, 4, 12, 8)}, true; }) ==
+          "WA5: of the piece of A an area of 32 lies inside of that of B: its area there is 64, and 32 of what is told "
+          "is wrong");
+    CHECK(wrong([&](event::Clipped& e) { return e.inside = {}, true; }) ==
+          "WA5: of the piece of A an area of 0 lies inside of that of B: its area there is 64, and 64 of what is told "
+          "is wrong");
+    CHECK(wrong([&](event::Clipped& e) { return e.outside = {rectangle(0, 0, 16, 16)}, true; }) ==
+          "WA5: of the piece of A an area of 256 lies outside of that of B: its area there is 192, and 64 of what is "
+          "told is wrong");
+    // As large as the part outside, but 64 of it lie inside, so that as much is missing.
+    CHECK(wrong([&](event::Clipped& e) { return e.outside = {rectangle(0, 0, 16, 12)}, true; }) ==
+          "WA5: of the piece of A an area of 192 lies outside of that of B: its area there is 192, and 128 of what is "
+          "told is wrong");
+    CHECK(wrong([&](event::Clipped& e) { return e.inside = {reversed(b)}, true; }) ==
+          "WA5: the part of A inside of B runs counterclockwise around an area of 64: on the screen outlines run "
+          "clockwise, and holes "
+          "counterclockwise");
+    StudentRun run = run_of(scene, Method::weiler_atherton, "double", Edition::corrected, Detail::polygons);
+    const auto clipped =
+        std::find_if(run.events.begin(), run.events.end(), [](const Event& e) { return e.get_if<event::Clipped>(); });
+    REQUIRE(clipped != run.events.end());
+    *clipped = event::Beside{Line::WA5, PolygonPlace{0}};
+    CHECK(wrong_of(judgement_of(run)) == "WA5: the piece of A lies outside of that of B: an area of 64 lies in both");
 }
 
 namespace {

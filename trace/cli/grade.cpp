@@ -33,6 +33,8 @@ struct GradeOptions {
     std::string detail{detail_names[0]}, language{language_codes[0]};
     bool no_sandbox = false, first = false;
 
+    Language spoken() const { return Language(place_in(language_codes, language)); }
+
     HandedIn handed_in() const {
         if (std::filesystem::is_directory(program)) return HandedIn::folder;
         return is_trace(program) ? HandedIn::trace : HandedIn::program;
@@ -123,18 +125,19 @@ ScenesToGrade scenes_of(const GradeOptions& options) {
         }
     }
     if (!options.scenes.empty()) return scenes;
-    scenes = {scenes_to_grade(), surfaces_to_grade()};
+    const Language language = options.spoken();
+    scenes = {scenes_to_grade(language), surfaces_to_grade(language)};
     if (!adds_random_scenes(options)) return scenes;
-    for (AdmittedScene& scene : random_scenes_to_grade(options.seed, options.random))
+    for (AdmittedScene& scene : random_scenes_to_grade(options.seed, options.random, language))
         scenes.polygons.push_back(std::move(scene));
-    for (Surface& surface : random_surfaces_to_grade(options.seed, options.random))
+    for (Surface& surface : random_surfaces_to_grade(options.seed, options.random, language))
         scenes.surfaces.push_back(std::move(surface));
     return scenes;
 }
 
 Grading grading_of(const GradeOptions& options) {
     Grading grading;
-    grading.say = Words(Language(place_in(language_codes, options.language)));
+    grading.say = Words(options.spoken());
     grading.limits.time = std::chrono::seconds(options.seconds);
     grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
     grading.first_only = options.first;
@@ -173,7 +176,7 @@ SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, co
 /// Prints the seed, which reproduces the random scenes.
 void print_seed(const GradeOptions& options, const Words& say) {
     if (!adds_random_scenes(options)) return;
-    std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
+    std::cout << say({"\n{} random scenes from the seed {}.\n", "\nСлучайных сцен {}, начальное число {}.\n"},
                      options.random, std::to_string(options.seed));
 }
 
@@ -187,6 +190,7 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
         LineReader lines(options.program);
         std::string text;
         for (std::string line; lines.next(line);) text += line + '\n';
+        if (lines.cut() && !text.empty()) text.pop_back();  // the reader tells by the newline whether a line was cut
         grade = grade_trace(std::move(text), grading);
     } else {
         const ScenesToGrade scenes = scenes_of(options);
@@ -194,8 +198,8 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
         grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
     }
     if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
-    if (can_run) print_seed(options, say);
     std::cout << report_of(grade, grading);
+    if (can_run) print_seed(options, say);
     if (grade.wrong() == 0) return grade.right() ? 0 : 1;
     SceneGrade shown = *grade.first_wrong();
     if (can_run && !options.first && shown.run.header) {

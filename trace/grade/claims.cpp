@@ -41,7 +41,7 @@ void Claims::judge_fault(const event::Fault& e) const {
                     say({"a polygon is drawn at pixel {}", "многоугольник рисуется в пикселе {}"}, pixel(*e.x, *e.y)),
                     say({"that is not in the area", "он не лежит в области"})};
     }
-    throw False{Symptom::impossible, say({"this line fails: {}", "на этой строке сбой: {}"}, e.reason),
+    throw False{Symptom::impossible, say({"this line fails: {}", "на этой строке сбой"}, e.reason),
                 say({"the corrected procedure goes on", "исправленная процедура работает дальше"})};
 }
 
@@ -107,7 +107,7 @@ void Claims::judge_pixel(int column, int row, Color color) {
 
 void Claims::judge_comparison(double z, double against, bool nearer) {
     if (nearer == (z > against)) return;
-    if (truth_.nearly_equal(z, against)) return note(Difference::equally_near);
+    if (truth_.equally_near(z, against)) return note(Difference::equally_near);
     throw False{Symptom::comparison,
                 nearer ? say({"{} is nearer than {}", "{} ближе, чем {}"}, z, against)
                        : say({"{} is not nearer than {}", "{} не ближе, чем {}"}, z, against),
@@ -121,10 +121,21 @@ void Claims::judge_nearest_so_far(double told, const std::optional<double>& know
                 say({"the trace has reported {} before", "раньше в записи сказано {}"}, *known)};
 }
 
+bool Claims::is_row(double y, double left, double right, const SceneTruth::Ends& ends, const Window& window) const {
+    const double first = ends.first.x, last = ends.second.x;
+    const auto is_cut_by = [&](const Window& by) {
+        const bool meets = by.y <= y && y <= by.bottom() && first <= by.right() && by.x <= last;
+        return meets && (truth_.same_coordinate(left, first) || truth_.same_coordinate(left, std::max(first, by.x))) &&
+               (truth_.same_coordinate(right, last) || truth_.same_coordinate(right, std::min(last, by.right())));
+    };
+    const bool is_whole = truth_.same_coordinate(left, first) && truth_.same_coordinate(right, last);
+    return is_whole || is_cut_by(window) || is_cut_by(whole_area(scene().area)) || is_cut_by(truth_.in_area(window));
+}
+
 void Claims::judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,
                            const SceneTruth::Crossing& right) const {
     const Area& area = scene().area;
-    const auto is_at = [&](double end_x, int column) { return truth_.same_coordinate(end_x, column + 0.5); };
+    const auto is_at = [&](double end_x, int column) { return truth_.may_coincide(end_x, column + 0.5); };
     for (int column = area.x; column < area.right(); ++column) {
         const bool is_told = first <= column && column < end,
                    is_between = left.x < column + 0.5 && column + 0.5 < right.x;

@@ -1,6 +1,8 @@
 /// Claims: checks that the judges of all methods share.
 #pragma once
 
+#include <map>
+
 #include "grade/judge.h"
 #include "replay/state.h"
 
@@ -12,6 +14,19 @@ struct False {
     std::string told, right;              // what the trace claims, and what is right
     std::optional<std::uint64_t> step{};  // if the claim belongs to another event than the current one
 };
+
+/// The step of the last event of a kind about each polygon or curve, by its index. A program may return to a polygon, so it is done with
+/// one only after that step. Empty unless the run reached its end.
+using LastSteps = std::map<int, std::uint64_t>;
+
+template <class E>
+LastSteps last_steps(const std::vector<Event>& events, const auto& index_of) {
+    LastSteps last;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (const E* found = events[i].get_if<E>()) last[index_of(*found)] = i + 1;
+    }
+    return last;
+}
 
 class Claims {
 public:
@@ -46,6 +61,9 @@ protected:
     void judge_comparison(double z, double against, bool nearer);
     /// Throws False if the trace has reported a different nearest depth so far.
     void judge_nearest_so_far(double told, const std::optional<double>& known) const;
+    /// Whether a told row at y, from left to right, is that of the polygon with these ends. It may end at the sides of the area or of the
+    /// window, which it crosses, if the polygon goes on there.
+    bool is_row(double y, double left, double right, const SceneTruth::Ends& ends, const Window& window) const;
     /// Throws False unless first <= column < end are the pixels of a row whose centres lie between the polygon's ends.
     void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,
                        const SceneTruth::Crossing& right) const;

@@ -71,13 +71,15 @@ void include_edge(HorizonPair& horizons, const Sample& from, const Sample& to, i
 
 struct CurveTruth::Exactly {
     CurveScene scene;
-    Rational slack;    // the tolerance of a height
-    Rational x_slack;  // the tolerance of an end of a line
+    Precision precision;
+    Rational slack;      // the tolerance of a height
+    double x_slack = 0;  // the tolerance of an end of a line
+    mutable bool shows_single = false;
     double highest = 0, lowest = 0;
     std::vector<std::vector<Rational>> heights;  // of each curve, over its columns
     std::vector<HorizonPair> before, after;      // each curve
 
-    Exactly(const CurveScene& given, Precision precision) : scene(given) {
+    Exactly(const CurveScene& given, Precision of) : scene(given), precision(of) {
         const Area& area = scene.area;
         double largest_y = 1;
         bool any = false;
@@ -90,10 +92,10 @@ struct CurveTruth::Exactly {
             }
         }
         const double largest_x = std::max({1.0, std::abs(double(area.x)), std::abs(double(area.right()))});
-        const double unit = std::ldexp(1.0, 10 - (precision == Precision::single ? 24 : 53));
+        const double unit = rounding(precision);
         // An x that is rounded by this much changes a height by as much times the slope.
         slack = Rational(unit) * Rational(largest_y) * Rational(1 + largest_x / 256);
-        x_slack = Rational(unit * largest_x);
+        x_slack = unit * largest_x;
 
         HorizonPair horizons{std::vector<Cell>(std::size_t(area.width)), std::vector<Cell>(std::size_t(area.width))};
         const Curve* last = nullptr;
@@ -108,6 +110,21 @@ struct CurveTruth::Exactly {
             last = &curve;
         }
     }
+
+    /// Whether a told height is the right one.
+    bool is_right(double told, const Rational& right) const {
+        if (!std::isfinite(told)) return false;
+        const Rational off = magnitude(right - Rational(told));
+        if (off <= slack * Rational(strictness(precision, told))) return true;
+        // Heights of a program in double are floats only if the right ones are.
+        if (precision == Precision::twice && is_float(told) && Rational(double(float(CGAL::to_double(right)))) != right)
+            shows_single =
+                shows_single || off <= slack * Rational(rounding(Precision::single) / rounding(Precision::twice));
+        return false;
+    }
+
+    /// The tolerance of a told end of a line.
+    Rational open_end(double x) const { return Rational(x_slack * strictness(precision, x)); }
 
     std::size_t column(int x) const { return std::size_t(x - scene.area.x); }
     const std::vector<Sample>& samples(int curve) const { return scene.curves[std::size_t(curve)].samples; }
@@ -182,7 +199,8 @@ struct CurveTruth::Exactly {
     /// The drawn parts from left to right, longer at both ends by the tolerance, joined where they overlap.
     std::vector<Stretch> widened(const DrawnParts& drawn) const {
         std::vector<Stretch> parts;
-        for (const auto& [from, to] : drawn) parts.push_back({Rational(from) - x_slack, Rational(to) + x_slack});
+        for (const auto& [from, to] : drawn)
+            parts.push_back({Rational(from) - open_end(from), Rational(to) + open_end(to)});
         std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         std::vector<Stretch> joined;
         for (const Stretch& part : parts) {
@@ -223,7 +241,7 @@ std::optional<double> CurveTruth::height(int curve, double x) const {
 bool CurveTruth::is_on_curve(int curve, double x, double y) const {
     if (!std::isfinite(x) || !std::isfinite(y)) return false;
     const auto right = exactly_->at(curve, Rational(x));
-    return right && magnitude(*right - Rational(y)) <= exactly_->slack;
+    return right && exactly_->is_right(y, *right);
 }
 
 bool CurveTruth::is_on_edge(int curve, int x, double y) const {
@@ -232,14 +250,14 @@ bool CurveTruth::is_on_edge(int curve, int x, double y) const {
     const auto is_on = [&](const Sample& from, const Sample& to) {
         if (x < std::min(from.x, to.x) || x > std::max(from.x, to.x)) return false;
         if (from.x == to.x) return std::min(from.y, to.y) <= y && y <= std::max(from.y, to.y);
-        return magnitude(height_on(from, to, x) - Rational(y)) <= exactly_->slack;
+        return exactly_->is_right(y, height_on(from, to, x));
     };
     return is_on(near.front(), far.front()) || is_on(near.back(), far.back());
 }
 
-bool CurveTruth::nearly_equal(double y, double other) const {
-    return y == other || std::abs(y - other) <= 2 * CGAL::to_double(exactly_->slack);
-}
+bool CurveTruth::same_height(double told, double right) const { return exactly_->is_right(told, Rational(right)); }
+
+bool CurveTruth::shows_single() const { return exactly_->shows_single; }
 
 std::optional<double> CurveTruth::horizon(int curve, When when, Side side, int x) const {
     const Cell& cell = exactly_->horizon(curve, when, side)[exactly_->column(x)];
@@ -249,7 +267,7 @@ std::optional<double> CurveTruth::horizon(int curve, When when, Side side, int x
 bool CurveTruth::is_horizon(int curve, When when, Side side, int x, const std::optional<double>& told) const {
     const Cell& right = exactly_->horizon(curve, when, side)[exactly_->column(x)];
     if (!right) return !told || is_beyond_all(side, *told);
-    return told && std::isfinite(*told) && magnitude(*right - Rational(*told)) <= exactly_->slack;
+    return told && exactly_->is_right(*told, *right);
 }
 
 bool CurveTruth::is_beyond_all(Side side, double y) const {
@@ -304,7 +322,7 @@ bool CurveTruth::may_be_left_out(int curve, double x) const {
 }
 
 std::optional<double> CurveTruth::hidden_between(int curve, double from, double to) const {
-    const Stretch drawn{Rational(from) + exactly_->x_slack, Rational(to) - exactly_->x_slack};
+    const Stretch drawn{Rational(from) + exactly_->open_end(from), Rational(to) - exactly_->open_end(to)};
     const int first = std::max(exactly_->first(curve), int(std::floor(from)));
     const int last = std::min(exactly_->last(curve), int(std::ceil(to)));
     for (int x = first; x < last; ++x) {

@@ -1,7 +1,8 @@
 /// CurveTruth: answers questions about curves in exact rationals, with a tolerance for programs that compute with rounding. SceneTruth is
 /// the equivalent for polygons.
 ///
-/// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest height.
+/// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest height, in float 2^6. A
+///            told number that is no float is judged as one of double.
 /// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may also hide it.
 /// Beginning  Between a column over which there is a horizon and one over which there is none, a line may end anywhere.
 #pragma once
@@ -40,8 +41,8 @@ public:
     bool is_on_curve(int curve, double x, double y) const;
     /// The same for the side edges that lead to the ends of the curve.
     bool is_on_edge(int curve, int x, double y) const;
-    /// Whether two heights that a program computed agree within the tolerance.
-    bool nearly_equal(double y, double other) const;
+    /// Whether a told height is the right one.
+    bool same_height(double told, double right) const;
 
     /// A horizon over a column of the area, before or after a curve; none if there is none.
     std::optional<double> horizon(int curve, When when, Side side, int x) const;
@@ -70,6 +71,8 @@ public:
     int open_columns() const;
     /// Whether a curve meets a horizon just over a column.
     bool touches_on_column() const;
+    /// Whether a judged height was that of a program in float: a float, though the right one is not.
+    bool shows_single() const;
 
 private:
     struct Exactly;

@@ -1,6 +1,7 @@
 #include "grade/floating_horizon_judge.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vidno::grading {
 
@@ -27,13 +28,20 @@ void FloatingHorizonJudge::judge(const event::Horizons& e) const {
     judge_start(Side::lower, e.lower);
 }
 
-void FloatingHorizonJudge::judge(const event::Curve&) {
-    if (state_.values().curve) finish_curve(curve());
+void FloatingHorizonJudge::judge(const event::Curve& e) {
+    const std::uint64_t begun = std::exchange(begun_, step_);
+    const bool is_farthest = !state_.values().curve || curve() == farthest_;
+    farthest_ = std::max(farthest_, e.curve);
+    if (state_.values().curve) leave_curve(curve(), begun, is_farthest);
 }
 
-void FloatingHorizonJudge::finish_curve(int curve) const {
+/// If the program never returns to the curve, all that is visible of it must be drawn. Its horizons are those of the state unless a
+/// farther curve has come.
+void FloatingHorizonJudge::leave_curve(int curve, std::uint64_t begun, bool is_farthest) const {
+    const auto last = last_steps_.find(curve);
+    if (last == last_steps_.end() || last->second != begun) return;
     judge_drawn(curve);
-    if (tells_horizons_) judge_told_horizons(curve);
+    if (tells_horizons_ && is_farthest) judge_told_horizons(curve);
 }
 
 void FloatingHorizonJudge::judge_drawn(int curve) const {
@@ -70,7 +78,8 @@ void FloatingHorizonJudge::judge_told_horizons(int curve) const {
 }
 
 void FloatingHorizonJudge::finish() {
-    if (state_.values().curve) finish_curve(curve());
+    if (state_.values().curve) leave_curve(curve(), begun_, curve() == farthest_);
+    if (tells_horizons_ && state_.values().curve && curve() != farthest_) judge_told_horizons(farthest_);
     for (int c = 0; c < int(truth_.scene().curves.size()); ++c) judge_drawn(c);
 }
 
@@ -80,7 +89,7 @@ void FloatingHorizonJudge::judge(const event::SideEdge& e) const {
     const bool is_left = e.at == Line::FH3;
     const Sample& end = is_left ? samples.front() : samples.back();
     const auto& [x, y] = e.sample;
-    if (x == end.x && truth_.nearly_equal(y, end.y)) return;
+    if (x == end.x && truth_.same_height(y, end.y)) return;
     throw False{Symptom::edge,
                 is_left ? say({"the left edge comes to {}", "левое ребро доходит до {}"}, say.point(x, y))
                         : say({"the right edge comes to {}", "правое ребро доходит до {}"}, say.point(x, y)),

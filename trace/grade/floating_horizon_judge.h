@@ -16,8 +16,13 @@ public:
                          const Words& words)
         : say(words), truth_(truth), state_(state), differences_(differences) {}
 
+    /// Notes where the program is done with each curve. Without this call no curve is judged to be done.
+    void foresee(const std::vector<Event>& events) {
+        last_steps_ = last_steps<event::Curve>(events, [](const auto& e) { return e.curve; });
+    }
     /// Judges an event; call it before the state applies the event. Throws False.
     void take(const EventView& event, std::uint64_t step) {
+        step_ = step;
         event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
@@ -46,7 +51,7 @@ private:
     void judge(const event::Raise& e) { judge_raised(Side::upper, e.x, e.y.number, false); }
     void judge(const event::Lower& e) { judge_raised(Side::lower, e.x, e.y.number, false); }
 
-    void finish_curve(int curve) const;
+    void leave_curve(int curve, std::uint64_t begun, bool is_farthest) const;
     void judge_drawn(int curve) const;
     void judge_told_horizons(int curve) const;
     void judge_start(Side side, const std::optional<Value>& start) const;
@@ -62,7 +67,10 @@ private:
     std::set<Difference>& differences_;
     std::map<int, DrawnParts> drawn_;
     bool tells_horizons_ = false;
-    std::uint64_t last_step_ = 0;
+    LastSteps last_steps_;
+    std::uint64_t step_ = 0, last_step_ = 0;
+    std::uint64_t begun_ = 0;  // the step at which the current curve came
+    int farthest_ = 0;         // of the curves that have come
 };
 
 }  // namespace vidno::grading

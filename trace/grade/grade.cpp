@@ -25,7 +25,7 @@ std::string nothing_to_judge(const StudentRun& run, const DrawnScene& scene, con
              "запись не создана: рисуйте scene_to_draw(...) или surface_to_draw(...) и сообщайте о шагах объекту "
              "WarnockTrace, ZBufferTrace, WeilerAthertonTrace или FloatingHorizonTrace"});
     }
-    if (!run.header) return run.unreadable;
+    if (!run.header) return why_incomplete(run, say);
     if (!is_judged(*run.header)) {
         return say({"a trace of {}: only warnock, zbuffer, weiler-atherton and floating-horizon are judged",
                     "запись метода {}: проверяются только warnock, zbuffer, weiler-atherton и floating-horizon"},
@@ -50,25 +50,32 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
 }
 
-/// The precision of the program that made these runs.
-Precision precision_of(const std::vector<SceneGrade>& runs) {
-    std::vector<const std::vector<Event>*> traces;
-    bool says_single = false;
-    for (const auto& [scene, run, judgement, not_judged] : runs) {
-        traces.push_back(&run.events);
-        says_single = says_single || (run.header && kernel_of(*run.header) == "float");
-    }
-    return precision_of(traces, says_single);
+/// Judges the runs of one program, and returns its precision: single if it says so, or if it tells only floats and some of them were
+/// rounded to float. Numbers alone do not show it: those of a program in double are floats, too, if the right ones are.
+Precision judge_runs(std::vector<SceneGrade>& runs, const Words& say) {
+    const auto says_single = [](const SceneGrade& each) {
+        return each.run.header && kernel_of(*each.run.header) == "float";
+    };
+    const auto rounds = [](const SceneGrade& each) { return each.judgement && each.judgement->shows_single; };
+    const auto judge_all = [&](Precision precision) {
+        for (auto& each : runs) judge_run(each, precision, say);
+        return precision;
+    };
+    if (std::any_of(runs.begin(), runs.end(), says_single)) return judge_all(Precision::single);
+    judge_all(Precision::twice);
+    const bool is_single =
+        std::any_of(runs.begin(), runs.end(), rounds) &&
+        std::all_of(runs.begin(), runs.end(), [](const SceneGrade& each) { return in_floats(each.run.events); });
+    return is_single ? judge_all(Precision::single) : Precision::twice;
 }
 
 /// Judges all runs of one program. `given` is the number of scenes that it was to draw.
 ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Grading& grading) {
     ProgramGrade grade;
     grade.given = given;
-    grade.precision = precision_of(runs);
+    grade.precision = judge_runs(runs, grading.say);
     std::vector<Observation> observed;
     for (auto& each : runs) {
-        judge_run(each, grade.precision, grading.say);
         if (!each.judgement) continue;
         observed.push_back({&*each.run.header, &each.run.events, &*each.judgement, each.run.complete});
         grade.told += told_by(method_of(*each.run.header), each.run.events);
@@ -91,6 +98,14 @@ bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
 }
 
 }  // namespace
+
+/// A text without a newline is a first line that was cut. The reader's reasons are English.
+std::string why_incomplete(const StudentRun& run, const Words& say) {
+    if (run.unreadable.empty() || run.trace.find('\n') == std::string::npos)
+        return say({"the trace is cut short", "запись оборвана"});
+    const auto line = std::size_t(std::count(run.trace.begin(), run.trace.end(), '\n'));
+    return say({"the trace cannot be read: {}", "запись не читается, всего в ней строк {1}"}, run.unreadable, line);
+}
 
 const SceneGrade* ProgramGrade::first_wrong() const {
     const auto tells = [](const SceneGrade& grade) { return grade.judgement && grade.judgement->wrong; };
@@ -119,9 +134,9 @@ ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToG
         runs.push_back({(*drawn)[runs.size()], std::move(run)});
         if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
         if (!grading.first_only) continue;
-        SceneGrade judged_alone = runs.back();
-        judge_run(judged_alone, precision_of(runs), grading.say);
-        if (!judged_alone.right()) break;
+        std::vector<SceneGrade> alone{runs.back()};
+        judge_runs(alone, grading.say);
+        if (!alone.front().right()) break;
     }
     return judged(std::move(runs), drawn->size(), grading);
 }

@@ -36,6 +36,9 @@ struct ProgramGrade {
     const SceneGrade* first_wrong() const;
 };
 
+/// Why a trace ends before its run does, in words.
+std::string why_incomplete(const StudentRun& run, const Words& say);
+
 /// How to run and judge.
 struct Grading {
     Limits limits;

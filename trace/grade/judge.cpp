@@ -44,26 +44,6 @@ struct Numbers {
     void operator()(const auto&) const {}  // not a number of the kernel
 };
 
-/// How many numbers the events have, and whether a float holds each of them.
-struct Counted {
-    std::size_t numbers = 0;
-    bool all_single = true;
-};
-
-Counted counted(const std::vector<Event>& events) {
-    Counted found;
-    const std::function<void(double)> look = [&](double value) {
-        ++found.numbers;
-        found.all_single = found.all_single && (std::isnan(value) || double(float(value)) == value);
-    };
-    for (const auto& event : events) {
-        event.visit([&]<class E>(const E& e) {
-            E::fields(e, [&](std::string_view, const auto& field, const auto&...) { Numbers{look}(field); });
-        });
-    }
-    return found;
-}
-
 std::string label_of(const EventView& event) {
     return event.visit([](const auto& e) { return std::string(line_names[std::size_t(e.at)]); });
 }
@@ -76,17 +56,18 @@ std::string polygon_of(const EventView& event) {
     });
 }
 
-/// The first false claim becomes `wrong`. Later events are judged too, because the set of all false claims distinguishes one mistake from
-/// another.
+/// The false claim of the first step becomes `wrong`. Later events are judged too, because the set of all false claims distinguishes one
+/// mistake from another, and because a claim may turn out to be false only later.
 template <class Judge>
 void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, auto& state, const Words& say,
               Judgement& found) {
+    std::vector<std::pair<Wrong, FalseClaim>> all;
     const auto add = [&](std::uint64_t step, const False& claim) {
         const std::uint64_t at = std::min<std::uint64_t>(claim.step.value_or(step), events.size());
-        const std::string about = judge.place() + (at == 0 ? "" : polygon_of(events[at - 1]));
-        found.false_claims.push_back({claim.symptom, about});
-        if (found.wrong) return;
-        found.wrong = Wrong{at, at == 0 ? "" : label_of(events[at - 1]), claim.told, claim.right, claim.symptom};
+        // A claim about an earlier step is about what was done there, not about the event, which may be one that the program need not report.
+        const bool is_about_event = at != 0 && !claim.step;
+        all.push_back({{at, at == 0 ? "" : label_of(events[at - 1]), claim.told, claim.right, claim.symptom},
+                       {claim.symptom, judge.place() + (is_about_event ? polygon_of(events[at - 1]) : "")}});
     };
     const auto look_at = [&](std::uint64_t step, auto&& what) {
         try {
@@ -95,6 +76,9 @@ void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, aut
             add(step, claim);
         }
     };
+    if constexpr (requires { judge.foresee(events); }) {
+        if (complete) judge.foresee(events);
+    }
     try {
         for (const auto& event : events) {
             look_at(state.step() + 1, [&] { judge.take(event, state.step() + 1); });
@@ -103,7 +87,12 @@ void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, aut
         if (complete) look_at(events.size(), [&] { judge.finish(); });
     } catch (const Impossible& impossible) {
         add(state.step() + 1, {Symptom::impossible, say({"this step", "этот шаг"}),
-                               say({"{}", "такого состояния у процедуры быть не может ({})"}, impossible.reason)});
+                               say({"{}", "такого состояния у процедуры быть не может"}, impossible.reason)});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first.step < b.first.step; });
+    for (auto& [wrong, claim] : all) {
+        if (!found.wrong) found.wrong = std::move(wrong);
+        found.false_claims.push_back(std::move(claim));
     }
 }
 
@@ -166,15 +155,15 @@ Bilingual words_of(Difference difference) {
     return {};
 }
 
-Precision precision_of(const std::vector<const std::vector<Event>*>& traces, bool says_single) {
-    constexpr std::size_t enough = 100;  // numbers: if a float holds all of them, the program computes in float
-    Counted all;
-    for (const auto* events : traces) {
-        const Counted each = counted(*events);
-        all.numbers += each.numbers;
-        all.all_single = all.all_single && each.all_single;
+bool in_floats(const std::vector<Event>& events) {
+    bool all = true;
+    const std::function<void(double)> look = [&](double value) { all = all && (std::isnan(value) || is_float(value)); };
+    for (const auto& event : events) {
+        event.visit([&]<class E>(const E& e) {
+            E::fields(e, [&](std::string_view, const auto& field, const auto&...) { Numbers{look}(field); });
+        });
     }
-    return says_single || (all.numbers >= enough && all.all_single) ? Precision::single : Precision::twice;
+    return all;
 }
 
 Judgement judge(const TraceHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
@@ -195,6 +184,7 @@ Judgement judge(const TraceHeader& header, const std::vector<Event>& events, boo
         by.operator()<grading::ZBufferJudge>();
     }
     look_at_pixels(truth, state.picture(), found);
+    found.shows_single = truth.shows_single();
     return found;
 }
 
@@ -207,6 +197,7 @@ Judgement judge(const FloatingHorizonHeader& header, const std::vector<Event>& e
     grading::FloatingHorizonJudge judge(truth, state, found.differences, words);
     judge_by(judge, events, complete, state, words, found);
     look_at_curves(truth, judge.drawn(), found);
+    found.shows_single = truth.shows_single();
     return found;
 }
 

@@ -102,8 +102,9 @@ struct Judgement {
     /// Each wrong pixel: its column, its row and the colour that it shows. Each wrong place of a curve: the curve, the place in quarters
     /// of a column, and whether the curve is drawn there. They count only if the run is complete.
     std::vector<std::array<int, 5>> wrong_places;
-    int open_places = 0;    // pixels or columns where rounding may decide what shows
-    bool is_plain = false;  // no pixel centre lies on an outline, and no curve meets a horizon over a column
+    int open_places = 0;        // pixels or columns where rounding may decide what shows
+    bool shows_single = false;  // a number was rounded to float
+    bool is_plain = false;      // no pixel centre lies on an outline, and no curve meets a horizon over a column
 };
 
 /// Judges the events of a trace that a program with numbers of that precision wrote. If `complete`, the run reached its end, so the final
@@ -115,7 +116,7 @@ Judgement judge(const FloatingHorizonHeader& header, const std::vector<Event>& e
 Judgement judge(const AnyHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
                 const Words& words = Words());
 
-/// The precision of the program that wrote these traces: single if it says so, or if it wrote at least 100 numbers and a float holds each.
-Precision precision_of(const std::vector<const std::vector<Event>*>& traces, bool says_single);
+/// Whether a float has the value of each number of the events.
+bool in_floats(const std::vector<Event>& events);
 
 }  // namespace vidno

@@ -25,8 +25,7 @@ std::string failure_of(const SceneGrade& grade, const Grading& grading) {
     std::string ended = grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, grading.limits, say);
     if (grade.judgement->wrong) return place_of(*grade.judgement->wrong, say) + (ended.empty() ? "" : "; ") + ended;
     if (!ended.empty()) return ended;
-    if (!grade.run.unreadable.empty()) return grade.run.unreadable;
-    return grade.run.complete ? "" : say({"the trace is cut short", "запись оборвана"});
+    return grade.run.complete ? "" : why_incomplete(grade.run, say);
 }
 
 /// A scene's line, with the verdict in its own column.
@@ -97,6 +96,8 @@ std::string details_of(const SceneGrade& grade, const Grading& grading) {
             text += say({". The trace ends after step {}", ". Запись кончается после шага {}"}, run.events.size());
         text += ".\n";
     }
+    if (grade.judgement && !grade.judgement->wrong && run.ended.ending == Ending::done && !run.complete)
+        text += say({"  After step {} {}.\n", "  После шага {} {}.\n"}, run.events.size(), why_incomplete(run, say));
     if (!grade.judgement) text += say({"  Not judged: {}.\n", "  Не проверено: {}.\n"}, grade.not_judged);
     if (grade.judgement && grade.judgement->wrong) {
         const Wrong& wrong = *grade.judgement->wrong;
@@ -114,11 +115,11 @@ std::string verdict_of(const ProgramGrade& grade, const Words& say) {
     const int count = int(grade.scenes.size()), wrong = int(grade.wrong());
     const std::string told = in_words(grade.told, say);
     if (wrong == 0 && count > 1)
-        return say({"\nRight on all {} scenes, as far as reported: {}.\n",
-                    "\nВерно на всех сценах ({}), насколько сообщено: {}.\n"},
+        return say({"Right on all {} scenes, as far as reported: {}.\n",
+                    "Верно на всех сценах ({}), насколько сообщено: {}.\n"},
                    count, told);
-    if (wrong == 0) return say({"\nRight, as far as reported: {}.\n", "\nВерно, насколько сообщено: {}.\n"}, told);
-    return say({"\nWrong on {} of {}, first on {}:\n", "\nНеверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
+    if (wrong == 0) return say({"Right, as far as reported: {}.\n", "Верно, насколько сообщено: {}.\n"}, told);
+    return say({"Wrong on {} of {}, first on {}:\n", "Неверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
                quoted(name_of(grade.first_wrong()->scene), say));
 }
 
@@ -163,7 +164,15 @@ std::string name_of(Deviation deviation) {
 
 std::string report_of(const ProgramGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
-    std::string text;
+    std::string text = verdict_of(grade, say);
+    if (const SceneGrade* first = grade.first_wrong()) text += details_of(*first, grading);
+    if (!grade.missing.empty()) {
+        text += say(
+            {"\nNot reported, though level {} requires it: {}.\n", "\nНе сообщено, хотя требуется уровень {}: {}.\n"},
+            detail_names[std::size_t(grading.detail)], grade.missing);
+    }
+    if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
+    text += differences_of(grade, say) + "\n";
     std::string last;
     for (const auto& each : grade.scenes) {
         // A program that writes no trace fails on all scenes for the same reason.
@@ -176,14 +185,6 @@ std::string report_of(const ProgramGrade& grade, const Grading& grading) {
         text += say({"  Not run on the remaining {} scenes.\n", "  На остальных сценах ({}) не запускалась.\n"},
                     grade.given - grade.scenes.size());
     }
-    text += differences_of(grade, say) + verdict_of(grade, say);
-    if (const SceneGrade* first = grade.first_wrong()) text += details_of(*first, grading);
-    if (!grade.missing.empty()) {
-        text += say(
-            {"\nNot reported, though level {} requires it: {}.\n", "\nНе сообщено, хотя требуется уровень {}: {}.\n"},
-            detail_names[std::size_t(grading.detail)], grade.missing);
-    }
-    if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
     return without_controls(text);
 }
 

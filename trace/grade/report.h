@@ -5,7 +5,7 @@
 
 namespace vidno {
 
-/// A line for each scene, the differences, the verdict, the first failure and the mistake if it is known.
+/// The verdict, the first failure, the mistake if it is known, the differences, and a line for each scene.
 std::string report_of(const ProgramGrade& grade, const Grading& grading);
 
 /// The smallest scene that shows the failure: its area, its polygons or curves, and the failure.

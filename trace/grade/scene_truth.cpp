@@ -10,6 +10,7 @@
 #include <map>
 
 #include "grade/magnitude.h"
+#include "grade/winding.h"
 #include "grade/words.h"
 #include "json/json_text.h"
 #include "vidno/kernels/exact.h"
@@ -18,15 +19,11 @@ namespace vidno {
 
 namespace {
 
-struct Point2 {
-    Rational x, y;
-};
-
-using Outline2 = std::vector<Point2>;
-
-Rational cross(const Point2& o, const Point2& a, const Point2& b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-}
+using grading::area_where;
+using grading::cross;
+using grading::Layer;
+using grading::Outline2;
+using grading::Point2;
 
 Outline2 exactly(const std::vector<glm::dvec2>& corners) {
     Outline2 outline;
@@ -110,6 +107,15 @@ Outline2 part_of(const Outline2& outline, const Window& window) {
     return half_of(part, [&](const Point2& p) { return Rational(bottom - p.y); });
 }
 
+Layer exactly(const RegionLoops& region) {
+    Layer layer;
+    for (const auto& loop : region) {
+        layer.emplace_back();
+        for (const ValuePoint& p : loop) layer.back().push_back({p.x.number, p.y.number});
+    }
+    return layer;
+}
+
 struct Direction {
     double x, y;
 };
@@ -140,16 +146,18 @@ struct SceneTruth::Exactly {
     double largest = 1;  // coordinate
     double slack = 0;    // the tolerance of a coordinate
     std::vector<ExactPolygon> polygons;
+    Precision precision;
     mutable std::map<std::pair<int, int>, SeenPixel> pixels;  // a cache
+    mutable bool shows_single = false;
 
-    Exactly(const Scene& given, Precision precision) : scene(given) {
+    Exactly(const Scene& given, Precision of) : scene(given), precision(of) {
         const Area& area = scene.area;
         for (const int v : {area.x, area.y, area.right(), area.bottom()})
             largest = std::max(largest, std::abs(double(v)));
         for (const auto& polygon : scene.polygons) {
             for (const auto& v : polygon.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
         }
-        slack = std::ldexp(largest, 10 - (precision == Precision::single ? 24 : 53));
+        slack = largest * rounding(precision);
         for (const auto& polygon : scene.polygons) polygons.push_back(exact_polygon(polygon));
     }
 
@@ -175,11 +183,48 @@ struct SceneTruth::Exactly {
 
     const ExactPolygon& at(int polygon) const { return polygons[std::size_t(polygon)]; }
 
+    double most_depth_slack() const {
+        double most = 0;
+        for (const auto& polygon : polygons) most = std::max(most, polygon.depth_slack);
+        return most;
+    }
+
+    /// A tolerance for a number that the program tells.
+    double open(double tolerance, double told) const { return tolerance * strictness(precision, told); }
+
+    /// Depths of a program in double are floats only if the right ones are.
+    void look_for_single(const Rational& right, double told, double tolerance) const {
+        if (precision == Precision::single || !is_float(told) ||
+            Rational(double(float(CGAL::to_double(right)))) == right)
+            return;
+        const double single = tolerance * rounding(Precision::single) / rounding(Precision::twice);
+        shows_single = shows_single || magnitude(right - Rational(told)) <= Rational(single);
+    }
+
     /// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line.
     static int side_of(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p, double open) {
         // Rationals take sixty times as many instructions, and few points are that near.
         const auto side = side_in<CGAL::Interval_nt<>>(from, to, p, open);
         return side ? *side : *side_in<Rational>(from, to, p, open);
+    }
+
+    /// Whether an edge of the region has the region on one side and the other one on the other side, so that they share no area.
+    bool apart(const RegionLoops& region, const RegionLoops& other) const {
+        const auto all_of = [](const RegionLoops& loops, auto&& holds) {
+            return std::all_of(loops.begin(), loops.end(),
+                               [&](const auto& loop) { return std::all_of(loop.begin(), loop.end(), holds); });
+        };
+        const auto place = [](const ValuePoint& p) { return glm::dvec2(p.x.number, p.y.number); };
+        for (const auto& loop : region) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const glm::dvec2 from = place(loop[i]), to = place(loop[(i + 1) % loop.size()]);
+                const auto side = [&](const ValuePoint& p) { return side_of(from, to, place(p), slack); };
+                if (from != to && all_of(region, [&](const auto& p) { return side(p) >= 0; }) &&
+                    all_of(other, [&](const auto& p) { return side(p) <= 0; }))
+                    return true;
+            }
+        }
+        return false;
     }
 
     Place place(const ExactPolygon& polygon, const glm::dvec2& p, double open) const {
@@ -295,8 +340,13 @@ bool SceneTruth::is_depth(int polygon, double x, double y, double z) const {
     const ExactPolygon& own = exactly_->at(polygon);
     // A window's corner outside the area may be farther away than any coordinate.
     const double far = std::max({1.0, std::abs(x) / exactly_->largest, std::abs(y) / exactly_->largest});
-    return magnitude(own.depth({x, y}) - Rational(z)) <= Rational(own.depth_slack * far);
+    const Rational right = own.depth({x, y});
+    const bool is_right = magnitude(right - Rational(z)) <= Rational(exactly_->open(own.depth_slack * far, z));
+    if (!is_right) exactly_->look_for_single(right, z, own.depth_slack * far);
+    return is_right;
 }
+
+bool SceneTruth::shows_single() const { return exactly_->shows_single; }
 
 int SceneTruth::nearer(int polygon, int than, double x, double y) const {
     const ExactPolygon &own = exactly_->at(polygon), &other = exactly_->at(than);
@@ -305,19 +355,28 @@ int SceneTruth::nearer(int polygon, int than, double x, double y) const {
     return before > 0 ? 1 : -1;
 }
 
+bool SceneTruth::same_depth(double told, double right, double times) const {
+    return std::abs(told - right) * times <= 2 * exactly_->open(exactly_->most_depth_slack(), told);
+}
+
 bool SceneTruth::nearly_equal(double z, double other) const {
-    double open = 0;
-    for (const auto& polygon : exactly_->polygons) open = std::max(open, polygon.depth_slack);
-    return std::abs(z - other) <= 2 * open;
+    return std::abs(z - other) <= 2 * exactly_->most_depth_slack();
+}
+
+bool SceneTruth::equally_near(double z, double other) const {
+    const double by_double = rounding(Precision::twice) / rounding(exactly_->precision);
+    return std::abs(z - other) <= 2 * exactly_->most_depth_slack() * by_double;
 }
 
 bool SceneTruth::is_plane(int polygon, const std::array<double, 4>& plane) const {
     if (!std::isfinite(plane[0] + plane[1] + plane[2] + plane[3]) || plane[2] == 0) return false;
     const Rational a(plane[0]), b(plane[1]), c(plane[2]), d(plane[3]);
     const ExactPolygon& own = exactly_->at(polygon);
+    double open = own.depth_slack;
+    for (const double told : plane) open = std::min(open, exactly_->open(own.depth_slack, told));
     const auto holds = [&](const Point2& p) {
         const Rational z = -(a * p.x + b * p.y + d) / c;
-        return magnitude(z - own.depth(p)) <= Rational(own.depth_slack);
+        return magnitude(z - own.depth(p)) <= Rational(open);
     };
     return std::all_of(own.outline.begin(), own.outline.end(), holds);
 }
@@ -359,9 +418,9 @@ std::optional<SceneTruth::Crossing> SceneTruth::crossing(int polygon, int edge, 
     return Crossing{CGAL::to_double(x), own.has_inside ? CGAL::to_double(own.depth({x, y})) : 0};
 }
 
-std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth::ends(int polygon, double y) const {
+std::optional<SceneTruth::Ends> SceneTruth::ends(int polygon, double y) const {
     const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
-    std::optional<std::pair<Crossing, Crossing>> found;
+    std::optional<Ends> found;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const auto& [y0, y1] = std::minmax(vertices[i].y, vertices[(i + 1) % vertices.size()].y);
         const auto at = crossing(polygon, int(i), y);
@@ -373,29 +432,12 @@ std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth:
     return found;
 }
 
-std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth::ends_in(int polygon,
-                                                                                         const Window& window,
-                                                                                         double y) const {
-    const ExactPolygon& own = exactly_->at(polygon);
-    std::optional<std::pair<Crossing, Crossing>> found;
-    if (!own.has_inside || !std::isfinite(y)) return found;
-    const Outline2 part = part_of(own.outline, window);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        const Point2 &p = part[i], &q = part[(i + 1) % part.size()];
-        if (p.y == q.y || Rational(y) < std::min(p.y, q.y) || Rational(y) > std::max(p.y, q.y)) continue;
-        const Rational x = p.x + (Rational(y) - p.y) * (q.x - p.x) / (q.y - p.y);
-        const Crossing at{CGAL::to_double(x), CGAL::to_double(own.depth({x, y}))};
-        if (!found) found.emplace(at, at);
-        if (at.x < found->first.x) found->first = at;
-        if (at.x > found->second.x) found->second = at;
-    }
-    return found;
+// On a nearly horizontal edge, x changes much faster than y, which multiplies the tolerance.
+bool SceneTruth::same_coordinate(double told, double right, double times) const {
+    return std::abs(told - right) * times <= 64 * exactly_->open(exactly_->slack, told);
 }
 
-bool SceneTruth::same_coordinate(double v, double w) const {
-    // On a nearly horizontal edge, x changes much faster than y, which multiplies the tolerance.
-    return std::abs(v - w) <= 64 * exactly_->slack;
-}
+bool SceneTruth::may_coincide(double v, double w) const { return std::abs(v - w) <= 64 * exactly_->slack; }
 
 bool SceneTruth::meets(int polygon, const Window& window) const {
     const ExactPolygon& own = exactly_->at(polygon);
@@ -436,25 +478,28 @@ std::optional<int> SceneTruth::nearer_in(int polygon, const Window& window) cons
 bool SceneTruth::has_vertex(int polygon, const glm::dvec3& v) const {
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return true;
-    return std::isfinite(v.x + v.y + v.z) && exactly_->place(own, {v.x, v.y}, 64 * exactly_->slack) != Place::outside &&
-           magnitude(own.depth({v.x, v.y}) - Rational(v.z)) <= Rational(64 * own.depth_slack);
+    return has_point(polygon, v.x, v.y) && std::isfinite(v.z) &&
+           magnitude(own.depth({v.x, v.y}) - Rational(v.z)) <= Rational(64 * exactly_->open(own.depth_slack, v.z));
 }
 
 std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window,
                                                const std::vector<glm::dvec3>& vertices, const Words& say) const {
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return std::nullopt;
-    const double open = 64 * exactly_->slack;
+    double open = 64 * exactly_->slack;
     Outline2 told;
     for (const auto& v : vertices) {
         const std::string name = say.point(v.x, v.y, v.z);
         if (!std::isfinite(v.x + v.y + v.z)) return say({"{} is not a point", "{} — не точка"}, name);
-        const bool in_window = v.x >= window.x - open && v.x <= window.right() + open && v.y >= window.y - open &&
-                               v.y <= window.bottom() + open;
+        const double open_x = 64 * exactly_->open(exactly_->slack, v.x),
+                     open_y = 64 * exactly_->open(exactly_->slack, v.y);
+        open = std::min({open, open_x, open_y});
+        const bool in_window = v.x >= window.x - open_x && v.x <= window.right() + open_x && v.y >= window.y - open_y &&
+                               v.y <= window.bottom() + open_y;
         if (!in_window) return say({"{} lies outside the window", "{} лежит вне окна"}, name);
-        if (exactly_->place(own, {v.x, v.y}, open) == Place::outside)
+        if (!has_point(polygon, v.x, v.y))
             return say({"{} lies outside the polygon", "{} лежит вне многоугольника"}, name);
-        if (magnitude(own.depth({v.x, v.y}) - Rational(v.z)) > Rational(64 * own.depth_slack)) {
+        if (magnitude(own.depth({v.x, v.y}) - Rational(v.z)) > Rational(64 * exactly_->open(own.depth_slack, v.z))) {
             return say({"{} is not on the polygon's plane: its depth there is {}",
                         "{} не лежит в плоскости многоугольника: его глубина там равна {}"},
                        name, depth(polygon, v.x, v.y));
@@ -481,22 +526,69 @@ double SceneTruth::area_of(const RegionLoops& region) {
             twice += p.x.number * q.y.number - p.y.number * q.x.number;
         }
     }
-    return std::abs(twice) / 2;
+    return twice / 2;
+}
+
+SceneTruth::Astray SceneTruth::astray(const RegionLoops& region) {
+    const std::vector<Layer> layers{exactly(region)};
+    return {area_where(layers, [](const auto& windings) { return windings[0] < 0; }),
+            area_where(layers, [](const auto& windings) { return windings[0] > 1; })};
+}
+
+bool SceneTruth::is_in(const RegionLoops& region, double x, double y) {
+    bool inside = false;
+    for (const auto& loop : region) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const ValuePoint &p = loop[i], &q = loop[(i + 1) % loop.size()];
+            const double py = p.y.number, qy = q.y.number;
+            if ((py <= y) != (qy <= y) && x < p.x.number + (y - py) * (q.x.number - p.x.number) / (qy - py))
+                inside = !inside;
+        }
+    }
+    return inside;
+}
+
+double SceneTruth::common_area(const RegionLoops& region, const RegionLoops& other) const {
+    if (exactly_->apart(region, other) || exactly_->apart(other, region)) return 0;
+    return area_where({exactly(region), exactly(other)},
+                      [](const auto& windings) { return windings[0] != 0 && windings[1] != 0; });
+}
+
+SceneTruth::PartsAstray SceneTruth::parts_astray(const RegionLoops& whole, const RegionLoops& clip,
+                                                 const RegionLoops& inside, const RegionLoops& outside) {
+    // A part is judged by what of it is missing, and what is too much.
+    const auto astray = [&](const RegionLoops& part, bool is_inside) {
+        return area_where({exactly(whole), exactly(clip), exactly(part)}, [&](const auto& windings) {
+            return (windings[0] != 0 && (windings[1] != 0) == is_inside) != (windings[2] != 0);
+        });
+    };
+    return {astray(inside, true), astray(outside, false)};
 }
 
 double SceneTruth::area_in(int polygon, const Window& window) const {
     return CGAL::to_double(twice_area(part_of(exactly_->at(polygon).outline, window))) / 2;
 }
 
-bool SceneTruth::same_area(double told, double right) const {
+/// In double it covers slivers that a program drops, too.
+bool SceneTruth::same_area(double told, double right, bool in_floats) const {
     const Area& area = scene().area;
+    const bool is_single = exactly_->precision == Precision::single && in_floats;
+    const double open = is_single ? 4 * rounding(Precision::single) : 64 * rounding(Precision::twice);
     return std::abs(told - right) <=
-           64 * exactly_->slack * (area.width + area.height) * double(scene().polygons.size() + 1);
+           open * exactly_->largest * (area.width + area.height) * double(scene().polygons.size() + 1);
+}
+
+bool SceneTruth::in_floats(const RegionLoops& region) {
+    return std::all_of(region.begin(), region.end(), [](const auto& loop) {
+        return std::all_of(loop.begin(), loop.end(),
+                           [](const ValuePoint& p) { return is_float(p.x.number) && is_float(p.y.number); });
+    });
 }
 
 bool SceneTruth::has_point(int polygon, double x, double y) const {
     const ExactPolygon& own = exactly_->at(polygon);
-    return std::isfinite(x + y) && exactly_->place(own, {x, y}, 64 * exactly_->slack) != Place::outside;
+    const double open = std::min(exactly_->open(exactly_->slack, x), exactly_->open(exactly_->slack, y));
+    return std::isfinite(x + y) && exactly_->place(own, {x, y}, 64 * open) != Place::outside;
 }
 
 std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const RegionLoops& region) const {
@@ -506,9 +598,7 @@ std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const R
         if (q == polygon || !other.has_inside) continue;
         // Clipping a loop by half-planes leaves edges that run back and forth along the clipping lines. They add no area.
         Rational twice(0);
-        for (const auto& loop : region) {
-            Outline2 part;
-            for (const ValuePoint& p : loop) part.push_back({p.x.number, p.y.number});
+        for (Outline2 part : exactly(region)) {
             for (std::size_t i = 0; i < other.outline.size() && !part.empty(); ++i) {
                 const Point2 &from = other.outline[i], &to = other.outline[(i + 1) % other.outline.size()];
                 part = half_of(part, [&](const Point2& p) { return cross(from, to, p); });
@@ -518,59 +608,17 @@ std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const R
             twice += twice_area(part);
         }
         const double hidden = std::abs(CGAL::to_double(twice)) / 2;
-        if (!same_area(hidden, 0)) return std::pair(q, hidden);
+        if (!same_area(hidden, 0, in_floats(region))) return std::pair(q, hidden);
     }
     return std::nullopt;
 }
 
-/// Sums horizontal bands. Their borders are the heights of all vertices and crossings of outlines, so each polygon's part in a band is a
-/// trapezium, and the area of the union is the length of the union on the band's centre line times the band's height.
 double SceneTruth::covered_area() const {
-    std::vector<Outline2> parts;
+    Layer parts;
     for (const auto& polygon : exactly_->polygons) {
         if (polygon.has_inside) parts.push_back(part_of(polygon.outline, whole_area(scene().area)));
     }
-    std::vector<Rational> heights;
-    const auto for_edges = [&](auto&& with) {
-        for (const auto& part : parts) {
-            for (std::size_t i = 0; i < part.size(); ++i) with(part[i], part[(i + 1) % part.size()]);
-        }
-    };
-    for_edges([&](const Point2& p, const Point2& q) {
-        heights.push_back(p.y);
-        for_edges([&](const Point2& r, const Point2& s) {
-            const Rational before = cross(r, s, p), after = cross(r, s, q);
-            if ((before < 0 && after > 0) || (before > 0 && after < 0))
-                heights.push_back(p.y + (q.y - p.y) * before / (before - after));
-        });
-    });
-    std::sort(heights.begin(), heights.end());
-    Rational covered(0);
-    for (std::size_t i = 1; i < heights.size(); ++i) {
-        if (heights[i] == heights[i - 1]) continue;
-        const Rational y = (heights[i] + heights[i - 1]) / 2;
-        std::vector<std::pair<Rational, Rational>> intervals;
-        for (const auto& part : parts) {
-            std::optional<std::pair<Rational, Rational>> ends;
-            for (std::size_t j = 0; j < part.size(); ++j) {
-                const Point2 &p = part[j], &q = part[(j + 1) % part.size()];
-                if ((p.y <= y) == (q.y <= y)) continue;
-                const Rational x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
-                ends = ends ? std::pair(std::min(ends->first, x), std::max(ends->second, x)) : std::pair(x, x);
-            }
-            if (ends) intervals.push_back(*ends);
-        }
-        std::sort(intervals.begin(), intervals.end());
-        Rational length(0);
-        std::optional<Rational> reached;
-        for (const auto& [from, to] : intervals) {
-            const Rational begin = reached ? std::max(from, *reached) : from;
-            if (to > begin) length += to - begin;
-            reached = reached ? std::max(to, *reached) : to;
-        }
-        covered += length * (heights[i] - heights[i - 1]);
-    }
-    return CGAL::to_double(covered);
+    return area_where({parts}, [](const auto& windings) { return windings[0] != 0; });
 }
 
 const SeenPixel& SceneTruth::seen(int column, int row) const {

@@ -1,7 +1,9 @@
 /// SceneTruth: answers questions about a scene in exact rationals, with a tolerance for programs that compute with rounding.
 ///
-/// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give either answer. The
-///            tolerance is 2^10 units in the last place of the largest coordinate: some hundred operations can add up to it.
+/// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give either answer. In
+///            double the tolerance is 2^10 units in the last place of the largest coordinate: some hundred operations can add up to it. In
+///            float it is 2^6 units. A number that the program tells is judged by its own precision: if no float has its value, it was not
+///            computed in float alone, and the tolerance is that of double.
 /// Outline    A program may use its own rule for points of an outline. By the picture rule, such a point belongs to every polygon on
 ///            whose outline it lies. Another rule is as right if it shows what is visible next to the point in some direction. So a
 ///            point of an outline may belong to no polygon. But if two polygons share an edge and nothing else lies next to it, one
@@ -26,6 +28,15 @@ class Words;
 
 /// The floating-point type of a program: float or double.
 enum class Precision : unsigned char { single, twice };
+
+inline bool is_float(double value) { return double(float(value)) == value; }
+
+/// The tolerance of a program of that precision, in units of the largest value.
+inline double rounding(Precision precision) { return precision == Precision::single ? 0x1p-18 : 0x1p-43; }
+/// By how much the tolerance of a told number is less than that of its program.
+inline double strictness(Precision precision, double told) {
+    return precision == Precision::single && !is_float(told) ? rounding(Precision::twice) / rounding(precision) : 1;
+}
 
 /// What may be seen at the centre of a pixel.
 struct SeenPixel {
@@ -62,8 +73,15 @@ public:
     bool is_depth(int polygon, double x, double y, double z) const;
     /// 1 if `polygon` is nearer at the point, -1 if `than` is, 0 if the depths agree within the tolerance.
     int nearer(int polygon, int than, double x, double y) const;
-    /// Whether two depths that a program computed agree within the tolerance.
+    /// Whether a told depth is the right one. An error may have been multiplied by `times`.
+    bool same_depth(double told, double right, double times = 1) const;
+    /// Whether two depths that a program computed and stored agree within the tolerance.
     bool nearly_equal(double z, double other) const;
+    /// Whether a program that compares these depths may take either for the nearer one. It compares what it tells, up to the digits that
+    /// `long double` has besides.
+    bool equally_near(double z, double other) const;
+    /// Whether a judged depth was that of a program in float: a float, though the right one is not.
+    bool shows_single() const;
     /// Whether the plane a x + b y + c z + d = 0 is the polygon's.
     bool is_plane(int polygon, const std::array<double, 4>& plane) const;
     /// The polygon's least depth at a vertex.
@@ -78,14 +96,15 @@ public:
     struct Crossing {
         double x, z;
     };
+    using Ends = std::pair<Crossing, Crossing>;
     /// Where the line of an edge crosses the height y; none if the edge is horizontal.
     std::optional<Crossing> crossing(int polygon, int edge, double y) const;
     /// The left and the right end of the polygon on the horizontal line at y; none if the line misses the polygon.
-    std::optional<std::pair<Crossing, Crossing>> ends(int polygon, double y) const;
-    /// The same for the polygon's part in a window.
-    std::optional<std::pair<Crossing, Crossing>> ends_in(int polygon, const Window& window, double y) const;
-    /// Whether two coordinates agree within 64 times the tolerance.
-    bool same_coordinate(double v, double w) const;
+    std::optional<Ends> ends(int polygon, double y) const;
+    /// Whether a told coordinate is the right one, within 64 times the tolerance. An error may have been multiplied by `times`.
+    bool same_coordinate(double told, double right, double times = 1) const;
+    /// Whether a program may take two coordinates for the same, within 64 times the tolerance.
+    bool may_coincide(double v, double w) const;
 
     /// Whether the interiors of polygon and window overlap.
     bool meets(int polygon, const Window& window) const;
@@ -101,13 +120,30 @@ public:
     std::optional<std::string> no_part(int polygon, const Window& window, const std::vector<glm::dvec3>& vertices,
                                        const Words& say) const;
 
-    // Areas are in square pixels. The holes of a region run in the direction opposite to its outer loops.
+    // Areas are in square pixels. On the screen an outline runs clockwise, and a hole counterclockwise.
+    /// Negative if the outline runs the wrong way.
     static double area_of(const RegionLoops& region);
+    /// The area around which the loops of a region run the wrong way, and that around which they run more than once.
+    struct Astray {
+        double reversed, repeated;
+    };
+    static Astray astray(const RegionLoops& region);
+    /// Whether a point lies in a region, up to rounding.
+    static bool is_in(const RegionLoops& region, double x, double y);
+    double common_area(const RegionLoops& region, const RegionLoops& other) const;
+    /// The area by which two regions differ from the parts of a region inside and outside of another one.
+    struct PartsAstray {
+        double inside, outside;
+    };
+    static PartsAstray parts_astray(const RegionLoops& whole, const RegionLoops& clip, const RegionLoops& inside,
+                                    const RegionLoops& outside);
     double area_in(int polygon, const Window& window) const;
     /// The area that the polygons cover together.
     double covered_area() const;
-    /// Whether two areas agree within the tolerance.
-    bool same_area(double told, double right) const;
+    /// Whether two areas agree within the tolerance. `in_floats`: all regions that make the told one are.
+    bool same_area(double told, double right, bool in_floats) const;
+    /// Whether a float has each coordinate of the region.
+    static bool in_floats(const RegionLoops& region);
     /// Whether the point lies in the polygon or, within the tolerance of a clipped vertex, on its outline.
     bool has_point(int polygon, double x, double y) const;
     /// A polygon that is nearer than this one in a part of the region, and the area of that part.

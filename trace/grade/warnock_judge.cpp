@@ -173,8 +173,8 @@ void WarnockJudge::judge(const event::Box& e) const {
     }
     const double off =
         std::max({window_.x - box.xmax, box.xmin - window_.right(), window_.y - box.ymax, box.ymin - window_.bottom()});
-    const bool may_be_outside = off >= 0 || truth().same_coordinate(off, 0);
-    const bool must_be_outside = off > 0 && !truth().same_coordinate(off, 0);
+    const bool may_be_outside = off >= 0 || truth().may_coincide(off, 0);
+    const bool must_be_outside = off > 0 && !truth().may_coincide(off, 0);
     if (e.outside ? may_be_outside || !truth().meets(p, window_) : !must_be_outside) return;
     throw False{e.outside ? Symptom::left_list : Symptom::box,
                 e.outside
@@ -329,7 +329,7 @@ void WarnockJudge::judge(const event::Insider& e) const {
     const PlainBox box = truth().box(p);
     const double room =
         std::min({box.xmin - window_.x, box.ymin - window_.y, window_.right() - box.xmax, window_.bottom() - box.ymax});
-    if (truth().same_coordinate(room, 0) || e.inside == (room > 0)) return;
+    if (truth().may_coincide(room, 0) || e.inside == (room > 0)) return;
     throw False{Symptom::insider,
                 e.inside
                     ? say({"{} lies inside of the window {}", "{} лежит внутри окна {}"}, id(p), window_)
@@ -622,22 +622,13 @@ void WarnockJudge::judge_rows(int polygon) {
     if (!truth().has_inside(polygon)) return;
     for (const event::Row& e : rows_) {
         const auto whole = truth().ends(polygon, e.row + 0.5);
-        const auto part = truth().ends_in(polygon, window_, e.row + 0.5);
-        const auto is_end = [&](double told, auto&& end_of) {
-            return (whole && truth().same_coordinate(told, end_of(*whole))) ||
-                   (part && truth().same_coordinate(told, end_of(*part)));
-        };
-        const bool right = (is_end(e.left.number, [](const auto& ends) { return ends.first.x; }) &&
-                            is_end(e.right.number, [](const auto& ends) { return ends.second.x; })) ||
-                           !(e.left.number < e.right.number);
-        if (!right) {
-            throw False{Symptom::edge,
-                        say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"}, e.row,
-                            id(polygon), e.left.number, e.right.number),
-                        whole
-                            ? say({"it goes from {} to {}", "он занимает от {} до {}"}, whole->first.x, whole->second.x)
-                            : say({"it does not meet that row's line", "он не пересекает линию этой строки"})};
-        }
+        const double left = e.left.number, right = e.right.number;
+        if (!(left < right) || (whole && is_row(e.row + 0.5, left, right, *whole, window_))) continue;
+        throw False{Symptom::edge,
+                    say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"}, e.row,
+                        id(polygon), left, right),
+                    whole ? say({"it goes from {} to {}", "он занимает от {} до {}"}, whole->first.x, whole->second.x)
+                          : say({"it does not meet that row's line", "он не пересекает линию этой строки"})};
     }
     rows_.clear();
 }

@@ -10,14 +10,14 @@ namespace vidno::grading {
 /// such a loss: a program can keep the vertices that its pieces share.
 void WeilerAthertonJudge::judge(const event::Fault& e) {
     if (lost_.empty())
-        lost_ = say({"; at step {}, {}, {}", "; на шаге {}, {}, {}"}, std::size_t(step_),
+        lost_ = say({"; at step {}, {}, {}", "; на шаге {}, {}, сбой"}, std::size_t(step_),
                     std::string(line_names[std::size_t(e.at)]), e.reason);
 }
 
 void WeilerAthertonJudge::judge(const event::Split& e) const {
     const int p = e.polygon.index;
     if (!truth().has_inside(p)) return;
-    for (const RegionLoops& part : {e.region, e.other}) judge_inside(p, part, say({"a part of {}", "часть {}"}, id(p)));
+    for (const RegionLoops& part : {e.region, e.other}) judge_region(p, part, say({"a part of {}", "часть {}"}, id(p)));
 }
 
 void WeilerAthertonJudge::judge(const event::Depth& e) const {
@@ -25,7 +25,7 @@ void WeilerAthertonJudge::judge(const event::Depth& e) const {
 }
 
 /// A region must lie in its polygon and in the area.
-void WeilerAthertonJudge::judge_inside(int polygon, const RegionLoops& region, const std::string& what) const {
+void WeilerAthertonJudge::judge_vertices(int polygon, const RegionLoops& region, const std::string& what) const {
     const Area& area = scene().area;
     for (const auto& loop : region) {
         for (const ValuePoint& point : loop) {
@@ -44,13 +44,52 @@ void WeilerAthertonJudge::judge_inside(int polygon, const RegionLoops& region, c
     }
 }
 
+/// Its loops must also run around it once, clockwise on the screen, and around its holes the other way.
+void WeilerAthertonJudge::judge_region(int polygon, const RegionLoops& region, const std::string& what) const {
+    judge_vertices(polygon, region, what);
+    const auto [reversed, repeated] = SceneTruth::astray(region);
+    const bool in_floats = SceneTruth::in_floats(region);
+    if (!truth().same_area(reversed, 0, in_floats)) {
+        throw False{
+            Symptom::region,
+            say({"{} runs counterclockwise around an area of {}", "{} обходит площадь {} против часовой стрелки"}, what,
+                reversed),
+            say({"on the screen outlines run clockwise, and holes counterclockwise",
+                 "на экране контуры идут по часовой стрелке, а отверстия — против неё"})};
+    }
+    if (truth().same_area(repeated, 0, in_floats)) return;
+    throw False{
+        Symptom::region,
+        say({"{} has an area of {} more than once", "{} содержит площадь {} более одного раза"}, what, repeated),
+        say({"the loops of a region do not overlap", "контуры области не перекрываются"})};
+}
+
+void WeilerAthertonJudge::judge(const event::PushList& e) const {
+    for (const PolygonPart& piece : e.pieces) {
+        const int p = piece.polygon.index;
+        if (truth().has_inside(p)) judge_region(p, piece.region, say({"a piece of {}", "часть {}"}, id(p)));
+    }
+}
+
+void WeilerAthertonJudge::judge(const event::Beside& e) const {
+    const auto& list = state().weiler_atherton().list_in_hand();
+    if (!list || std::size_t(list->seen) >= list->pieces.size()) return;
+    const auto &piece = *list->pieces[std::size_t(list->seen)], &clip = *list->pieces.front();
+    const double common = truth().common_area(piece.region, clip.region);
+    if (truth().same_area(common, 0, SceneTruth::in_floats(piece.region))) return;
+    throw False{Symptom::region,
+                say({"the piece of {} lies outside of that of {}", "часть {} лежит вне части {}"}, id(e.polygon.index),
+                    id(clip.polygon.index)),
+                say({"an area of {} lies in both", "площадь {} лежит в обеих"}, common)};
+}
+
 void WeilerAthertonJudge::judge(const event::CutToArea& e) const {
     const int p = e.polygon.index;
     if (!truth().has_inside(p)) return;
     const std::string part = say({"the part of {} in the area", "часть {} в области"}, id(p));
-    judge_inside(p, e.region, part);
+    judge_region(p, e.region, part);
     const double told = SceneTruth::area_of(e.region), right = truth().area_in(p, whole_area(scene().area));
-    if (truth().same_area(told, right)) return;
+    if (truth().same_area(told, right, SceneTruth::in_floats(e.region))) return;
     throw False{Symptom::region, say({"{} has the area {}", "{}: площадь {}"}, part, told),
                 say({"its area is {}", "её площадь {}"}, right)};
 }
@@ -59,13 +98,37 @@ void WeilerAthertonJudge::judge(const event::Clipped& e) const {
     const int p = e.polygon.index, clip = e.clip.index;
     if (!truth().has_inside(p) || !truth().has_inside(clip)) return;
     const std::string inside = say({"the part of {} inside of {}", "часть {} внутри {}"}, id(p), id(clip));
-    judge_inside(p, e.inside, inside);
-    judge_inside(clip, e.inside, inside);
-    judge_inside(p, e.outside, say({"the part of {} outside of {}", "часть {} вне {}"}, id(p), id(clip)));
+    judge_vertices(clip, e.inside, inside);
+    judge_region(p, e.inside, inside);
+    judge_region(p, e.outside, say({"the part of {} outside of {}", "часть {} вне {}"}, id(p), id(clip)));
+    if (e.at == Line::WA5) judge_parts(e);
+}
+
+/// The parts of the next piece of the current list must be all of it inside, and all of it outside, of the clip piece.
+void WeilerAthertonJudge::judge_parts(const event::Clipped& e) const {
+    const auto& list = state().weiler_atherton().list_in_hand();
+    if (!list || std::size_t(list->seen) >= list->pieces.size()) return;
+    const auto &piece = *list->pieces[std::size_t(list->seen)], &clip = *list->pieces.front();
+    if (piece.polygon != e.polygon || clip.polygon != e.clip) return;
+    const auto astray = SceneTruth::parts_astray(piece.region, clip.region, e.inside, e.outside);
+    const bool is_inside = !truth().same_area(astray.inside, 0, SceneTruth::in_floats(e.inside));
+    if (!is_inside && truth().same_area(astray.outside, 0, SceneTruth::in_floats(e.outside))) return;
+    const double common = truth().common_area(piece.region, clip.region);
+    throw False{
+        Symptom::region,
+        say(is_inside ? Bilingual{"of the piece of {} an area of {} lies inside of that of {}",
+                                  "из части {} площадь {} лежит внутри части {}"}
+                      : Bilingual{"of the piece of {} an area of {} lies outside of that of {}",
+                                  "из части {} площадь {} лежит вне части {}"},
+            id(e.polygon.index), SceneTruth::area_of(is_inside ? e.inside : e.outside), id(e.clip.index)),
+        say({"its area there is {}, and {} of what is told is wrong", "площадь там {}, и {} из сообщённого неверно"},
+            is_inside ? common : SceneTruth::area_of(piece.region) - common,
+            is_inside ? astray.inside : astray.outside) +
+            lost_};
 }
 
 void WeilerAthertonJudge::judge_order(double z, double other, Sign order) {
-    if (int(order) == (z > other) - (z < other) || truth().nearly_equal(z, other)) return;
+    if (int(order) == (z > other) - (z < other) || truth().equally_near(z, other)) return;
     throw False{Symptom::comparison,
                 say({"{} compares with {} as {}", "сравнение {} с {} даёт {}"}, z, other, int(order)),
                 say({"the greater z is the nearer", "ближе тот, у кого z больше"})};
@@ -75,7 +138,7 @@ void WeilerAthertonJudge::judge(const event::Behind& e) {
     judge_depth(e.polygon.index, e.point.x.number, e.point.y.number, e.z.number);
     judge_depth(e.clip.index, e.point.x.number, e.point.y.number, e.clip_z.number);
     judge_order(e.z.number, e.clip_z.number, e.order);
-    if (e.behind == (e.z.number < e.clip_z.number) || truth().nearly_equal(e.z.number, e.clip_z.number)) return;
+    if (e.behind == (e.z.number < e.clip_z.number) || truth().equally_near(e.z.number, e.clip_z.number)) return;
     throw False{
         Symptom::comparison,
         e.behind ? say({"{} is hidden by {}", "{} закрыт {}"}, id(e.polygon.index), id(e.clip.index))
@@ -89,21 +152,30 @@ void WeilerAthertonJudge::judge(const event::Order& e) {
     judge_order(e.z.number, e.other_z.number, e.order);
 }
 
-/// No polygon may be nearer than the shown one anywhere in the region.
+/// No polygon may be nearer than the shown one anywhere in the region, and nothing of the region may have been shown before.
 void WeilerAthertonJudge::judge(const event::Show& e) {
     const int p = e.polygon.index;
     tells_regions_ = true;
     shown_ += SceneTruth::area_of(e.region);
+    in_floats_ = in_floats_ && SceneTruth::in_floats(e.region);
     if (!truth().has_inside(p)) return;
     const std::string region = say({"the visible region of {}", "видимая область {}"}, id(p));
-    judge_inside(p, e.region, region);
+    judge_region(p, e.region, region);
+    const std::string told = say({"{} is visible in a region of area {}", "{} виден в области площадью {}"}, id(p),
+                                 SceneTruth::area_of(e.region));
     if (const auto hidden = truth().hidden_by(p, e.region)) {
         throw False{
-            Symptom::region,
-            say({"{} is visible in a region of area {}", "{} виден в области площадью {}"}, id(p),
-                SceneTruth::area_of(e.region)),
+            Symptom::region, told,
             say({"{} is nearer in {} of it", "{} ближе в части площадью {}"}, id(hidden->first), hidden->second) +
                 lost_};
+    }
+    for (const auto& before : state().weiler_atherton().visible()) {
+        const double common = truth().common_area(e.region, before->region);
+        if (truth().same_area(common, 0, SceneTruth::in_floats(e.region))) continue;
+        throw False{Symptom::region, told,
+                    say({"{} of it is in a visible region of {} that was shown before",
+                         "из неё площадь {} лежит в уже показанной видимой области {}"},
+                        common, id(before->polygon.index))};
     }
 }
 
@@ -124,13 +196,34 @@ void WeilerAthertonJudge::judge(const event::Paint& e) {
     }
 }
 
-/// The visible regions must add up to the area that the polygons cover.
+/// The first pixel whose centre is in none of the visible regions, though it should be, in words; empty if there is none.
+std::string WeilerAthertonJudge::not_shown() const {
+    const Area& area = scene().area;
+    for (int row = area.y; row < area.bottom(); ++row) {
+        for (int column = area.x; column < area.right(); ++column) {
+            const SeenPixel& seen = truth().seen(column, row);
+            if (seen.on_outline || seen.by_rule == SeenPixel::background) continue;
+            const auto& regions = state().weiler_atherton().visible();
+            const auto holds = [&](const auto& each) {
+                return SceneTruth::is_in(each->region, column + 0.5, row + 0.5);
+            };
+            if (std::any_of(regions.begin(), regions.end(), holds)) continue;
+            return say({"; {} shows at pixel {}, and none of them has it",
+                        "; в пикселе {1} виден {0}, но ни одна его не содержит"},
+                       id(seen.by_rule), pixel(column, row));
+        }
+    }
+    return "";
+}
+
+/// The visible regions are visible and apart from each other, so they are right if they add up to the area that the polygons cover.
 void WeilerAthertonJudge::finish() {
     const double right = truth().covered_area();
-    if (tells_regions_ && !truth().same_area(shown_, right)) {
+    if (tells_regions_ && !truth().same_area(shown_, right, in_floats_)) {
         throw False{Symptom::region,
                     say({"the visible regions have the area {}", "площадь видимых областей {}"}, shown_),
-                    say({"the polygons cover {} of the area", "многоугольники покрывают площадь {}"}, right) + lost_};
+                    say({"the polygons cover {} of the area", "многоугольники покрывают площадь {}"}, right) +
+                        not_shown() + lost_};
     }
     if (!paints_ && tells_regions_) return;
     const Area& area = scene().area;

@@ -26,6 +26,8 @@ private:
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Depth& e) const;
     void judge(const event::CutToArea& e) const;
+    void judge(const event::PushList& e) const;
+    void judge(const event::Beside& e) const;
     void judge(const event::Clipped& e) const;
     void judge(const event::Split& e) const;
     void judge(const event::Behind& e);
@@ -33,12 +35,16 @@ private:
     void judge(const event::Show& e);
     void judge(const event::Paint& e);
 
-    void judge_inside(int polygon, const RegionLoops& region, const std::string& what) const;
+    void judge_vertices(int polygon, const RegionLoops& region, const std::string& what) const;
+    void judge_region(int polygon, const RegionLoops& region, const std::string& what) const;
+    void judge_parts(const event::Clipped& e) const;
+    std::string not_shown() const;
     void judge_order(double z, double other, Sign order);
 
     std::uint64_t step_ = 0;
-    std::string lost_;  // where an outline did not close, in words; empty if all did
-    double shown_ = 0;  // the sum of the areas of visible regions
+    std::string lost_;       // where an outline did not close, in words; empty if all did
+    double shown_ = 0;       // the sum of the areas of visible regions
+    bool in_floats_ = true;  // the visible regions
     bool tells_regions_ = false, paints_ = false;
 };
 

@@ -14,15 +14,17 @@ void ZBufferJudge::judge(const event::Clear& e) {
 
 void ZBufferJudge::judge(const event::Polygon& e) {
     const std::optional<int> before = std::exchange(polygon_, e.polygon.index);
+    const std::uint64_t begun = std::exchange(begun_, step_);
     line_.reset();
     if (!before) return;
     if (*before > e.polygon.index) note(Difference::order_of_polygons);
-    finish_polygon(*before);
+    leave_polygon(*before, begun);
 }
 
-/// The finished polygon must show wherever it is nearer than all polygons before it.
-void ZBufferJudge::finish_polygon(int polygon) {
-    if (!truth().has_inside(polygon)) return;
+/// If the program never returns to the polygon, it must show wherever it is nearer than all that came so far.
+void ZBufferJudge::leave_polygon(int polygon, std::uint64_t begun) const {
+    const auto last = last_steps_.find(polygon);
+    if (last == last_steps_.end() || last->second != begun || !truth().has_inside(polygon)) return;
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
@@ -47,7 +49,7 @@ void ZBufferJudge::finish_polygon(int polygon) {
 }
 
 void ZBufferJudge::finish() {
-    if (polygon_) finish_polygon(*polygon_);
+    if (polygon_) leave_polygon(*polygon_, begun_);
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
@@ -97,7 +99,7 @@ void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     judge_edge(*polygon_, edge);
     const auto right = truth().crossing(*polygon_, edge, y);
-    if (!right || (truth().same_coordinate(x, right->x) && truth().nearly_equal(z, right->z))) return;
+    if (!right || (truth().same_coordinate(x, right->x) && truth().same_depth(z, right->z))) return;
     throw False{Symptom::edge,
                 say({"edge {} of {} is at x = {}, z = {}", "ребро {} многоугольника {}: x = {}, z = {}"}, edge,
                     id(*polygon_), x, z),
@@ -115,9 +117,8 @@ void ZBufferJudge::judge(const event::AelAdd& e) const {
                below = truth().crossing(*polygon_, e.edge, std::max(p.y, q.y));
     if (!above) return;
     const double rows = std::abs(q.y - p.y), dx = (below->x - above->x) / rows, dz = (below->z - above->z) / rows;
-    // Over all rows of the edge the error may be as large as at one end, so the changes are multiplied by the number of rows.
-    if (!truth().same_coordinate(e.dx.number * rows, dx * rows) ||
-        !truth().nearly_equal(e.dz.number * rows, dz * rows)) {
+    // Over all rows of the edge the error may be as large as at one end, so the error of a change is multiplied by the number of rows.
+    if (!truth().same_coordinate(e.dx.number, dx, rows) || !truth().same_depth(e.dz.number, dz, rows)) {
         throw False{Symptom::edge,
                     say({"from row to row edge {} of {} changes by dx = {}, dz = {}",
                          "от строки к строке у ребра {} многоугольника {} dx = {}, dz = {}"},
@@ -125,8 +126,8 @@ void ZBufferJudge::judge(const event::AelAdd& e) const {
                     say({"it changes by dx = {}, dz = {}", "у него dx = {}, dz = {}"}, dx, dz)};
     }
     const double lower = std::max(p.y, q.y), last = e.until.number + 0.5;
-    const bool is_last = (last <= lower || truth().same_coordinate(last, lower)) &&
-                         (lower <= last + 1 || truth().same_coordinate(lower, last + 1));
+    const bool is_last = (last <= lower || truth().may_coincide(last, lower)) &&
+                         (lower <= last + 1 || truth().may_coincide(lower, last + 1));
     const bool is_last_of_area = e.until.number >= scene().area.bottom() - 1 && last <= lower;
     if (is_last || is_last_of_area) return;
     throw False{Symptom::edge,
@@ -167,7 +168,7 @@ void ZBufferJudge::judge(const event::AelDrop& e) const {
         const double lower =
             std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
         const double next = *state().z_buffer().last().row + 1.5;
-        if (lower <= next || truth().same_coordinate(lower, next)) continue;
+        if (lower <= next || truth().may_coincide(lower, next)) continue;
         throw False{
             Symptom::edge,
             say({"edge {} of {} leaves AEL after row {}", "ребро {} многоугольника {} уходит из AEL после строки {}"},
@@ -189,8 +190,8 @@ bool ZBufferJudge::is_next(double row, const std::optional<double>& height) cons
     const Area& area = scene().area;
     if (!height) return row >= area.bottom();
     const double above = row - 0.5, below = row + 0.5;
-    const bool is_row = (above <= *height || truth().same_coordinate(above, *height)) &&
-                        (*height <= below || truth().same_coordinate(*height, below));
+    const bool is_row = (above <= *height || truth().may_coincide(above, *height)) &&
+                        (*height <= below || truth().may_coincide(*height, below));
     return is_row || (row == area.y && *height < below) || (row >= area.bottom() && *height > area.bottom() - 0.5);
 }
 
@@ -230,8 +231,25 @@ void ZBufferJudge::judge_next_end(double next, const std::vector<int>& active) c
                       : say({"AEL is empty", "AEL пуст"})};
 }
 
+/// Whether a row at height y is that of a part into which lines through two of the polygon's vertices cut it, such as a triangle of a fan.
+bool ZBufferJudge::is_part_of_row(double left, double right, double y) const {
+    const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
+    const auto is_end = [&](double x) {
+        for (const auto& p : vertices) {
+            for (const auto& q : vertices) {
+                if (p.y <= y && y <= q.y && p.y < q.y &&
+                    truth().same_coordinate(x, p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y)))
+                    return true;
+            }
+        }
+        return truth().same_coordinate(x, scene().area.x) || truth().same_coordinate(x, scene().area.right());
+    };
+    return is_end(left) && is_end(right);
+}
+
 void ZBufferJudge::judge(const event::ShownLine& e) {
     line_ = e;
+    ends_.reset();
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     const double y = state().z_buffer().last().y && state().z_buffer().last().row == e.row ? height() : e.row + 0.5;
     const auto right = truth().ends(*polygon_, y);
@@ -242,15 +260,15 @@ void ZBufferJudge::judge(const event::ShownLine& e) {
                     say({"it does not meet that row's line, y = {}", "он не пересекает линию этой строки, y = {}"}, y)};
     }
     const auto& [from, to] = e.from.x.number <= e.to.x.number ? std::pair(e.from, e.to) : std::pair(e.to, e.from);
-    if (!truth().same_coordinate(from.x.number, right->first.x) ||
-        !truth().same_coordinate(to.x.number, right->second.x)) {
+    const bool is_whole = is_row(y, from.x.number, to.x.number, *right, whole_area(scene().area));
+    ends_ = is_whole ? *right : SceneTruth::Ends{{from.x.number, from.y.number}, {to.x.number, to.y.number}};
+    if (!is_whole && !is_part_of_row(from.x.number, to.x.number, y)) {
         throw False{Symptom::edge, told,
                     say({"it goes from {} to {}", "он занимает от {} до {}"}, right->first.x, right->second.x)};
     }
     // The second coordinate of such a point is its z.
     for (const ValuePoint& end : {from, to}) {
-        if (std::isfinite(end.x.number) &&
-            truth().nearly_equal(end.y.number, truth().depth(*polygon_, end.x.number, y)))
+        if (std::isfinite(end.x.number) && truth().same_depth(end.y.number, truth().depth(*polygon_, end.x.number, y)))
             continue;
         judge_depth(*polygon_, end.x.number, y, end.y.number);
     }
@@ -260,7 +278,7 @@ void ZBufferJudge::judge(const event::Slope& e) const {
     if (!polygon_ || !truth().has_inside(*polygon_) || !line_ || !std::isfinite(e.dz.number)) return;
     const double columns = std::abs(line_->to.x.number - line_->from.x.number);
     const double right = truth().depth_slope(*polygon_);
-    if (columns == 0 || truth().nearly_equal(e.dz.number * columns, right * columns)) return;
+    if (columns == 0 || truth().same_depth(e.dz.number, right, columns)) return;
     throw False{
         Symptom::depth,
         say({"from pixel to pixel the depth of {} changes by {}", "от пикселя к пикселю глубина {} меняется на {}"},
@@ -271,8 +289,7 @@ void ZBufferJudge::judge(const event::Slope& e) const {
 void ZBufferJudge::judge(const event::Columns& e) const {
     if (!polygon_ || !truth().has_inside(*polygon_) || !line_) return;
     const double y = line_->row + 0.5;
-    if (const auto ends = truth().ends(*polygon_, y))
-        judge_columns(*polygon_, line_->row, e.first, e.end, ends->first, ends->second);
+    if (ends_) judge_columns(*polygon_, line_->row, e.first, e.end, ends_->first, ends_->second);
     if (e.first < e.end) judge_depth(*polygon_, e.first + 0.5, y, e.z.number);
 }
 

@@ -11,8 +11,13 @@ class ZBufferJudge : public Claims {
 public:
     using Claims::Claims;
 
+    /// Notes where the program is done with each polygon. Without this call no polygon is judged to be done.
+    void foresee(const std::vector<Event>& events) {
+        last_steps_ = last_steps<event::Polygon>(events, [](const auto& e) { return e.polygon.index; });
+    }
     /// Judges an event; call it before the state applies the event. Throws False.
     void take(const EventView& event, std::uint64_t step) {
+        step_ = step;
         event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
@@ -48,9 +53,10 @@ private:
     void judge(const event::Pixel& e);
     void judge(const event::Span& e);
 
-    void finish_polygon(int polygon);
+    void leave_polygon(int polygon, std::uint64_t begun) const;
     void judge_entry(int edge, double y, double x, double z) const;
     void judge_next_end(double next, const std::vector<int>& active) const;
+    bool is_part_of_row(double left, double right, double y) const;
     bool is_next(double row, const std::optional<double>& height) const;
     void judge_covered(int column, int row) const;
     void judge_shown(int column, int row);
@@ -58,10 +64,13 @@ private:
     Cell& cell(int column, int row) { return cells_[{column, row}]; }
 
     std::optional<int> polygon_;
-    std::uint64_t last_step_ = 0;
+    LastSteps last_steps_;
+    std::uint64_t step_ = 0, last_step_ = 0;
+    std::uint64_t begun_ = 0;                    // the step at which the current polygon came
     std::map<std::pair<int, int>, Cell> cells_;  // the cells that were written, by column and row
     std::optional<double> cleared_;
     std::optional<event::ShownLine> line_;  // the last one
+    std::optional<SceneTruth::Ends> ends_;  // between which its columns lie
 };
 
 }  // namespace vidno::grading
