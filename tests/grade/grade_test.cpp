@@ -7,8 +7,10 @@
 #include "check/check.h"
 #include "grade/curve_truth.h"
 #include "grade/grade.h"
+#include "grade/report.h"
 #include "grade/scenes.h"
 #include "run/write_trace.h"
+#include "scene/exact_scene.h"
 #include "support/random_curves.h"
 #include "support/scenes.h"
 
@@ -674,6 +676,207 @@ TEST_CASE("Judging curves: a changed claim is the one that the judge finds") {
         const auto change = [](event::SideEdge& e) { return e.sample = {0, 5}, true; };
         CHECK(wrong.operator()<event::SideEdge>(change) ==
               "FH3: the left edge comes to (0, 5): the end of curve 0 there is (0, 4)");
+    }
+}
+
+namespace {
+
+/// The events with one more before each of the kind E: the last one of the kind Before again.
+template <class Before, class E>
+std::vector<Event> with_repeated(const std::vector<Event>& events) {
+    std::vector<Event> all;
+    std::optional<Before> last;
+    for (const Event& event : events) {
+        if (const auto* before = event.get_if<Before>()) last = *before;
+        if (event.get_if<E>() && last) all.push_back(*last);
+        all.push_back(event);
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("Judging: a program may return to a polygon or a curve, and is done with it after the last time") {
+    SUBCASE("a polygon before each of its rows, and the rows of all polygons from the top") {
+        const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+        StudentRun run = run_of(scene, Method::zbuffer, "double", Edition::corrected, Detail::windows);
+        std::erase_if(run.events, [](const Event& e) { return e.get_if<event::Scanline>(); });
+        run.events = with_repeated<event::Polygon, event::Span>(run.events);
+        CHECK(wrong_of(judgement_of(run)) == "right");
+        std::vector<std::pair<Event, Event>> rows;  // a polygon and a span
+        for (std::size_t i = 0; i + 1 < run.events.size(); ++i) {
+            if (run.events[i + 1].get_if<event::Span>()) rows.emplace_back(run.events[i], run.events[i + 1]);
+        }
+        std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+            return a.second.template get_if<event::Span>()->row < b.second.template get_if<event::Span>()->row;
+        });
+        run.events.erase(run.events.begin() + 1, run.events.end());  // `clear` stays
+        for (const auto& [polygon, span] : rows) {
+            run.events.push_back(polygon);
+            run.events.push_back(span);
+        }
+        CHECK(wrong_of(judgement_of(run)) == "right");
+        run.events.resize(run.events.size() - 2);
+        CHECK(wrong_of(judgement_of(run))
+                  .ends_with("Q is done, and pixel (0, 15) shows nothing of what came so far: its centre is inside Q"));
+    }
+    SUBCASE("a curve before each of its lines") {
+        StudentRun run = run_of(two_horizons(), "double", Edition::corrected, Detail::windows);
+        run.events = with_repeated<event::Curve, event::DrawLine>(run.events);
+        CHECK(wrong_of(judgement_of(run)) == "right");
+        run.events.pop_back();  // from (7, 8) to (10, 11)
+        CHECK(judgement_of(run).wrong.has_value());
+    }
+}
+
+TEST_CASE("Judging: a row may be cut at the area, but nowhere else") {
+    // The rectangle from x = 1 to 12.5 goes on beyond the area, which ends at x = 8.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 12.5, 7, .25).build();
+    struct Case {
+        double left, right;
+        bool is_right;
+    };
+    for (const auto& [left, right, is_right] : {Case{1, 12.5, true}, Case{1, 8, true}, Case{1, 8.25, false},
+                                                Case{1, 7.75, false}, Case{0, 8, false}, Case{0, 12.5, false}}) {
+        CAPTURE(left);
+        CAPTURE(right);
+        const auto row = [&](event::Row& e) { return e.left = left, e.right = right, true; };
+        CHECK(with_changed<event::Row>(scene, Method::warnock, row).wrong.has_value() != is_right);
+        const auto line = [&](event::ShownLine& e) { return e.from.x = left, e.to.x = right, true; };
+        CHECK(with_changed<event::ShownLine>(scene, Method::zbuffer, line).wrong.has_value() != is_right);
+    }
+}
+
+TEST_CASE("Judging: the false claim of the first step is named, also if it is found after others") {
+    // Of the four parts of the window only one is reported, and that one is called empty, though the square covers it.
+    const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(-1, -1, 9, 9, .25).build();
+    StudentRun run = run_of(scene, Method::warnock, "double", Edition::corrected, Detail::windows);
+    run.events.resize(2);  // the first window is pushed and popped
+    run.events.push_back(event::Decide{Line::W13, Case::split});
+    run.events.push_back(event::Push{Line::W13, {0, 0, 4, 4}, std::nullopt, std::nullopt});
+    run.events.push_back(event::Pop{Line::W5, {0, 0, 4, 4}});
+    run.events.push_back(event::Decide{Line::W7, Case::empty});
+    run.events.push_back(event::Fill{Line::W7, {0, 0, 4, 4}, scene->background});
+    CHECK(wrong_of(judgement_of(run)) ==
+          "W13: these are all parts of the window (0, 0) of 8 x 8: pixel (4, 0) is in none of them");
+}
+
+TEST_CASE("Judging: a program that says float is judged by its numbers") {
+    // z = x / 6, for example 1/12 at the first centre, which no float has.
+    const AdmittedScene scene =
+        SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {3, 0, .5}, {3, 3, .5}, {0, 3, 0}}).build();
+    const auto told = [&](auto depth) {
+        const auto change = [&](event::Pixel& e) { return e.z = depth(e.z.number), false; };
+        return with_changed<event::Pixel>(run_of(scene, Method::zbuffer, "float", Edition::corrected, Detail::signs),
+                                          change);
+    };
+    const auto symptom = [](const Judgement& judgement) {
+        return judgement.wrong ? std::optional(judgement.wrong->symptom) : std::nullopt;
+    };
+    CHECK_FALSE(symptom(told([](double z) { return z; })));
+    CHECK(symptom(told([](double z) { return z + 4e-3; })) == Symptom::depth);
+    CHECK(symptom(told([](double z) { return double(float(z + 4e-3)); })) == Symptom::depth);
+    // A float may be off by what 2^6 roundings add up to, but a number that is no float was not rounded to one.
+    CHECK(symptom(told([](double z) { return z + 0x1p-24 * (1 + 0x1p-20); })) == Symptom::depth);
+}
+
+TEST_CASE("Judging: numbers that happen to be floats do not make a program one in float") {
+    // The text of a program's trace that says nothing of its precision: "double" is what the header writes by itself.
+    const auto graded = [](const AdmittedScene& scene, const char* kernel, const std::string& from,
+                           const std::string& to) {
+        std::string text = run_of(scene, Method::zbuffer, kernel).trace;
+        for (const auto& [old, by] : {std::pair<std::string, std::string>{"\"float\"", "\"double\""}, {from, to}}) {
+            if (const auto at = text.find(old); at != std::string::npos) text.replace(at, old.size(), by);
+        }
+        return grade_trace(text, Grading{});
+    };
+    const AdmittedScene level = SceneBuilder({0, 0, 4, 4}).quad(0, 0, 4, 4, .25).build();
+    CHECK(graded(level, "double", "", "").right());
+    // 1/4 + 2^-24 is a float, too.
+    const ProgramGrade off =
+        graded(level, "double", "\"x\":0,\"y\":0,\"z\":0.25", "\"x\":0,\"y\":0,\"z\":0.250000059604644775390625");
+    CHECK(off.precision == Precision::twice);
+    REQUIRE(off.scenes.front().judgement);
+    CHECK(wrong_of(*off.scenes.front().judgement) ==
+          "L6: the depth of A at (0.5, 0.5) is 0.25000005960464478: it is 0.25");
+    // z = x / 6: floats where the right depths are none.
+    const AdmittedScene sixths =
+        SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {3, 0, .5}, {3, 3, .5}, {0, 3, 0}}).build();
+    const ProgramGrade single = graded(sixths, "float", "", "");
+    CHECK(single.precision == Precision::single);
+    CHECK(single.right());
+}
+
+TEST_CASE("Judging: on the scenes for students a bias of the depths is told, however the program computes") {
+    // Painted by the depths z + 0.004 i of the polygons i, with nothing else reported, as a program in float.
+    const auto is_wrong = [](const AdmittedScene& scene, double bias) {
+        Scene biased = *scene;
+        for (std::size_t i = 0; i < biased.polygons.size(); ++i) {
+            for (auto& v : biased.polygons[i].vertices) v.z = std::clamp(v.z + bias * double(i), -1., 1.);
+        }
+        const AdmittedScene drawn = exact_scene::admit(std::move(biased));
+        StudentRun run = run_of(drawn, Method::zbuffer, "float", Edition::corrected, Detail::windows);
+        std::get<TraceHeader>(*run.header).scene = scene;
+        std::erase_if(run.events, [](const Event& e) { return e.get_if<event::Clear>(); });
+        return judgement_of(run).wrong.has_value();
+    };
+    int wrong = 0;
+    for (const AdmittedScene& scene : scenes_to_grade()) {
+        if (!scene->name.starts_with("Depths")) continue;
+        CAPTURE(scene->name);
+        CHECK_FALSE(is_wrong(scene, 0));
+        wrong += int(is_wrong(scene, 4e-3));
+    }
+    CHECK(wrong >= 2);  // at 2^-13 and 2^-10
+}
+
+TEST_CASE("Grading: wherever a trace is cut, it is cut short") {
+    const std::string text = run_of(neighbours(), Method::zbuffer, "double").trace;
+    const std::size_t first_line = text.find('\n') + 1, second_line = text.find('\n', first_line) + 1;
+    for (const std::size_t length :
+         {std::size_t(20), first_line - 1, first_line, first_line + 9, second_line, text.size() - 9}) {
+        CAPTURE(length);
+        const ProgramGrade grade = grade_trace(text.substr(0, length), Grading{});
+        CHECK_FALSE(grade.right());
+        const SceneGrade& scene = grade.scenes.front();
+        CHECK(why_incomplete(scene.run, Words()) == "the trace is cut short");
+        if (length > first_line)
+            CHECK(report_of(grade, Grading{}).find("the trace is cut short.") != std::string::npos);
+    }
+}
+
+TEST_CASE("Grading: a row between two rows is refused") {
+    std::string text = run_of(neighbours(), Method::zbuffer, "double").trace;
+    const std::string row = "\"row\":2,";
+    text.replace(text.find(row), row.size(), "\"row\":2.5,");
+    const ProgramGrade grade = grade_trace(text, Grading{});
+    CHECK_FALSE(grade.right());
+    CHECK(report_of(grade, Grading{}).find("/row: not a whole number") != std::string::npos);
+}
+
+TEST_CASE("Grading: a report opens with the verdict and has one language") {
+    const auto is_latin = [](char c) { return 'a' <= c && c <= 'z'; };
+    const Grading russian{{}, Words(Language::russian)};
+    const auto report = [&](const std::string& text) { return report_of(grade_trace(text, russian), russian); };
+    const AdmittedScene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    const std::string right = run_of(scene, Method::warnock, "double").trace;
+    CHECK(report(right).starts_with("Верно, насколько сообщено: "));
+    CHECK(report(run_of(scene, Method::warnock, "double", Edition::printed).trace).starts_with("Неверно: 1 из 1, "));
+    std::string half = right;
+    half.replace(half.find("\"count\":1"), 9, "\"count\":0.5");
+    for (const std::string& text : {right, right.substr(0, right.size() / 2), half,
+                                    run_of(scene, Method::zbuffer, "double", Edition::printed).trace}) {
+        const std::string said = report(text);
+        CAPTURE(said);
+        CHECK(std::none_of(said.begin(), said.end(), is_latin));
+    }
+    for (const AdmittedScene& each : scenes_to_grade(Language::russian)) {
+        CAPTURE(each->name);
+        CHECK(std::none_of(each->name.begin(), each->name.end(), is_latin));
+    }
+    for (const Surface& each : surfaces_to_grade(Language::russian)) {
+        CAPTURE(each.name);
+        CHECK(std::none_of(each.name.begin(), each.name.end(), is_latin));
     }
 }
 

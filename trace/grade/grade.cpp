@@ -101,10 +101,11 @@ bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
 
 /// A text without a newline is a first line that was cut. The reader's reasons are English.
 std::string why_incomplete(const StudentRun& run, const Words& say) {
-    if (run.unreadable.empty() || run.trace.find('\n') == std::string::npos)
+    const bool is_cut_first_line = run.trace.starts_with('{') && run.trace.find('\n') == std::string::npos;
+    if (run.unreadable.empty() || is_cut_first_line)
         return say({"the trace is cut short", "запись оборвана"});
-    const auto line = std::size_t(std::count(run.trace.begin(), run.trace.end(), '\n'));
-    return say({"the trace cannot be read: {}", "запись не читается, всего в ней строк {1}"}, run.unreadable, line);
+    const std::size_t line = run.events.size() + 2;  // after that of the header
+    return say({"the trace cannot be read: {}", "запись не читается в строке {1}"}, run.unreadable, line);
 }
 
 const SceneGrade* ProgramGrade::first_wrong() const {
