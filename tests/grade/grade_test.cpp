@@ -776,6 +776,7 @@ TEST_CASE("Judging: a program that says float is judged by its numbers") {
     CHECK_FALSE(symptom(told([](double z) { return z; })));
     CHECK(symptom(told([](double z) { return z + 4e-3; })) == Symptom::depth);
     CHECK(symptom(told([](double z) { return double(float(z + 4e-3)); })) == Symptom::depth);
+    CHECK_FALSE(symptom(told([](double z) { return double(float(z + 0x1p-21)); })));
     // A float may be off by what 2^6 roundings add up to, but a number that is no float was not rounded to one.
     CHECK(symptom(told([](double z) { return z + 0x1p-24 * (1 + 0x1p-20); })) == Symptom::depth);
 }

@@ -102,8 +102,7 @@ bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
 /// A text without a newline is a first line that was cut. The reader's reasons are English.
 std::string why_incomplete(const StudentRun& run, const Words& say) {
     const bool is_cut_first_line = run.trace.starts_with('{') && run.trace.find('\n') == std::string::npos;
-    if (run.unreadable.empty() || is_cut_first_line)
-        return say({"the trace is cut short", "запись оборвана"});
+    if (run.unreadable.empty() || is_cut_first_line) return say({"the trace is cut short", "запись оборвана"});
     const std::size_t line = run.events.size() + 2;  // after that of the header
     return say({"the trace cannot be read: {}", "запись не читается в строке {1}"}, run.unreadable, line);
 }

@@ -62,7 +62,8 @@ struct ExactPolygon {
 };
 
 /// Uses Newell's sum about the first vertex, as the procedures do.
-void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, double extent, double slack) {
+void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, double extent, double largest,
+               double unit) {
     const glm::dvec3& o = vertices[0];
     Rational a(0), b(0), c(0);
     const auto from_first = [&](const glm::dvec3& v) {
@@ -80,8 +81,9 @@ void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, d
     polygon.z0 = Rational(o.z) - polygon.zx * Rational(o.x) - polygon.zy * Rational(o.y);
     // The thinner a polygon, the less accurately its vertices determine its plane.
     const double thinness = std::max(1.0, extent * extent / std::abs(CGAL::to_double(c)));
-    polygon.depth_slack =
-        slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
+    // A depth is at most 1, and is computed from terms as large as this.
+    const double terms = 1 + largest * (std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
+    polygon.depth_slack = unit * thinness * terms;
 }
 
 /// The part of an outline where `beyond`, a linear function of a point, is not negative.
@@ -177,7 +179,7 @@ struct SceneTruth::Exactly {
             std::reverse(polygon.corners.begin(), polygon.corners.end());
             std::reverse(polygon.outline.begin(), polygon.outline.end());
         }
-        if (polygon.has_inside) set_plane(polygon, vertices, extent, slack);
+        if (polygon.has_inside) set_plane(polygon, vertices, extent, largest, rounding(precision));
         return polygon;
     }
 

@@ -1,8 +1,8 @@
 /// SceneTruth: answers questions about a scene in exact rationals, with a tolerance for programs that compute with rounding.
 ///
 /// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give either answer. In
-///            double the tolerance is 2^10 units in the last place of the largest coordinate: some hundred operations can add up to it. In
-///            float it is 2^6 units. A number that the program tells is judged by its own precision: if no float has its value, it was not
+///            double the tolerance is 2^10 units in the last place of the largest coordinate, and for a depth of the terms that make it:
+///            some hundred operations can add up to it. In float it is 2^6 units. A number that the program tells is judged by its own precision: if no float has its value, it was not
 ///            computed in float alone, and the tolerance is that of double.
 /// Outline    A program may use its own rule for points of an outline. By the picture rule, such a point belongs to every polygon on
 ///            whose outline it lies. Another rule is as right if it shows what is visible next to the point in some direction. So a
