@@ -736,14 +736,14 @@ TEST_CASE("Judging: a row may be cut at the area, but nowhere else") {
         double left, right;
         bool is_right;
     };
-    for (const auto& [left, right, is_right] : {Case{1, 12.5, true}, Case{1, 8, true}, Case{1, 8.25, false},
-                                                Case{1, 7.75, false}, Case{0, 8, false}, Case{0, 12.5, false}}) {
-        CAPTURE(left);
-        CAPTURE(right);
-        const auto row = [&](event::Row& e) { return e.left = left, e.right = right, true; };
-        CHECK(with_changed<event::Row>(scene, Method::warnock, row).wrong.has_value() != is_right);
-        const auto line = [&](event::ShownLine& e) { return e.from.x = left, e.to.x = right, true; };
-        CHECK(with_changed<event::ShownLine>(scene, Method::zbuffer, line).wrong.has_value() != is_right);
+    for (const Case& each : {Case{1, 12.5, true}, Case{1, 8, true}, Case{1, 8.25, false}, Case{1, 7.75, false},
+                             Case{0, 8, false}, Case{0, 12.5, false}}) {
+        CAPTURE(each.left);
+        CAPTURE(each.right);
+        const auto row = [&](event::Row& e) { return e.left = each.left, e.right = each.right, true; };
+        CHECK(with_changed<event::Row>(scene, Method::warnock, row).wrong.has_value() != each.is_right);
+        const auto line = [&](event::ShownLine& e) { return e.from.x = each.left, e.to.x = each.right, true; };
+        CHECK(with_changed<event::ShownLine>(scene, Method::zbuffer, line).wrong.has_value() != each.is_right);
     }
 }
 
