@@ -89,7 +89,23 @@ set(complaints
     "5, visibility: a flag is -1, 0, 1 or 2"
     "6, raise: a column outside the area"
     "8, draw_line: Horizon has not told its result, `horizon`"
-    "11, draw_line: not between two neighbouring samples of the curve, from left to right")
+    "11, draw_line: not between two neighbouring samples of the curve, from left to right"
+    "2, fill: 0.5 is not a whole number, as a row or a column is"
+    "3, row: 0.5 is not a whole number, as a row or a column is"
+    "4, pixel: 1.5 is not a whole number, as a row or a column is"
+    "3, scanline: 0.5 is not a whole number, as a row or a column is"
+    "4, line: 0.5 is not a whole number, as a row or a column is"
+    "5, columns: 3.5 is not a whole number, as a row or a column is"
+    "6, pixel: 0.5 is not a whole number, as a row or a column is"
+    "2, row: 0.5 is not a whole number, as a row or a column is"
+    "3, pixel: 0.5 is not a whole number, as a row or a column is"
+    "3, side_edge: 0.5 is not a whole number, as a row or a column is"
+    "4, height: 0.5 is not a whole number, as a row or a column is"
+    "5, visibility: 0.5 is not a whole number, as a row or a column is"
+    "6, step: 0.5 is not a whole number, as a row or a column is"
+    "7, raise: 0.5 is not a whole number, as a row or a column is"
+    "8, lower: 0.5 is not a whole number, as a row or a column is"
+    "9, horizon: 0.5 is not a whole number, as a row or a column is")
 list(TRANSFORM complaints PREPEND "vidno: call ")
 list(JOIN complaints "\n" complaints)
 

@@ -68,6 +68,39 @@ void misuse_floating_horizon(Detail detail) {
     trace.draw_line(2, 1, 3, 1);
 }
 
+/// Rows and columns that are not whole: C++ would cut them to whole numbers without a word.
+void misuse_rows(Detail detail) {
+    const Surface surface{"Wrong use", {0, 0, 4, 4}, {{{0, 1}, {3, 1}}}};
+    {
+        WarnockTrace trace("rows_warnock.jsonl", scene, detail);
+        trace.fill(0, 0.5, 1, 1, {0, 0, 255});  // 2
+        trace.row(0.5, 0, 4, 0, 4);
+        trace.pixel(1.5, 0);
+    }
+    {
+        ZBufferTrace trace("rows_z_buffer.jsonl", scene, detail);
+        trace.polygon(0);
+        trace.scanline(0.5, 0.5);  // 3
+        trace.line(0.5, 0, 0, 4, 0);
+        trace.columns(0, 3.5, 0);
+        trace.pixel(1, 0.5, 0, -1, true);
+    }
+    {
+        WeilerAthertonTrace trace("rows_weiler_atherton.jsonl", scene, detail);
+        trace.row(0.5, 0, 4, 0, 4);  // 2
+        trace.pixel(1, 0.5);
+    }
+    FloatingHorizonTrace trace("rows_floating_horizon.jsonl", surface, detail);
+    trace.curve(0);
+    trace.side_edge(0.5, 1);  // 3
+    trace.height(0.5, 1);
+    trace.visibility(0.5, 1);
+    trace.step(0.5, true);
+    trace.raise(0.5, 1);
+    trace.lower(0.5, 1);
+    trace.horizon(0, 0.5);
+}
+
 int main(int count, char** words) {
     const std::string word = count > 1 ? words[1] : "";
     const Detail detail = word == "windows" ? Detail::windows : word == "polygons" ? Detail::polygons : Detail::signs;
@@ -75,4 +108,5 @@ int main(int count, char** words) {
     misuse_z_buffer(detail);
     misuse_weiler_atherton(detail);
     misuse_floating_horizon(detail);
+    misuse_rows(detail);
 }
