@@ -176,7 +176,7 @@ SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, co
 /// Prints the seed, which reproduces the random scenes.
 void print_seed(const GradeOptions& options, const Words& say) {
     if (!adds_random_scenes(options)) return;
-    std::cout << say({"\n{} random scenes from the seed {}.\n", "\nСлучайных сцен {}, начальное число {}.\n"},
+    std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
                      options.random, std::to_string(options.seed));
 }
 
@@ -199,6 +199,7 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
     }
     if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
     std::cout << report_of(grade, grading);
+    if (can_run && adds_random_scenes(options)) std::cout << '\n';
     if (can_run) print_seed(options, say);
     if (grade.wrong() == 0) return grade.right() ? 0 : 1;
     SceneGrade shown = *grade.first_wrong();
