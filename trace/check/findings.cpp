@@ -85,7 +85,7 @@ void FindingList::place(Heard heard, const EventView& event) {
     if (gap && heard.number == decisions_) gap->if_zero = meaning(gap->if_zero, event);
     const bool draws = event.get_if<event::Draw>();
     if (finding.procedure != Procedure::fill_polygon || draws) finding.polygons = whereabouts_.polygons(event);
-    finding.pixels = whereabouts_.pixels(event, gap ? gap->pixel : std::nullopt);
+    finding.pixels = whereabouts_.pixels(event, finding.decision.of, gap ? gap->pixel : std::nullopt);
     if (finding.kind == FindingKind::narrow) return keep_narrow(std::move(finding));
     if (gap && gap->sign == Sign::zero) {
         Zeros& zeros = zeros_[std::size_t(gap->if_zero)];

@@ -80,7 +80,9 @@ std::vector<PolygonPlace> Whereabouts::polygons(const EventView& event) const {
     return found;
 }
 
-PixelRectangle Whereabouts::pixels(const EventView& event, std::optional<int> pixel) const {
+PixelRectangle Whereabouts::pixels(const EventView& event, Decision of, std::optional<int> pixel) const {
+    // FillPolygon asks for its rows before its first row; the pixel is a row.
+    if (of == Decision::rows && pixel) return {area_.x, *pixel, area_.width, 1};
     const auto on_row = [&](int row) {
         return pixel ? PixelRectangle{*pixel, row, 1, 1} : PixelRectangle{area_.x, row, area_.width, 1};
     };

@@ -22,7 +22,7 @@ public:
     std::vector<PolygonPlace> polygons(const EventView& event) const;
 
     /// With the column or row of the pixel next to whose centre the decision was taken.
-    PixelRectangle pixels(const EventView& event, std::optional<int> pixel) const;
+    PixelRectangle pixels(const EventView& event, Decision of, std::optional<int> pixel) const;
 
 private:
     using Nearest = std::optional<PolygonPlace>;
