@@ -127,16 +127,20 @@ Exactly exactly(RunRequest request) {
 Told CheckedTrace::told_of(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
     const std::size_t place = decisions_++;
     auto own = judged(told, decisions);
-    if (!own) return {std::nullopt, last_stage_, std::nullopt};
-    Operands& operands = place < operands_.size() ? operands_[place] : own->operands;
-    return {own->truth, last_stage_, operands.empty() ? std::nullopt : std::optional(std::move(operands))};
+    // Signs alone do not tell the columns of a row of a region; the run under `exact` reported them at the same event.
+    const bool is_told_exactly = place < right_.size();
+    if (!own && !is_told_exactly) return {std::nullopt, last_stage_, std::nullopt};
+    Operands operands = place < operands_.size() ? std::move(operands_[place])
+                        : own                    ? std::move(own->operands)
+                                                 : Operands{};
+    return {own ? own->truth : Truth{right_[place]}, last_stage_,
+            operands.empty() ? std::nullopt : std::optional(std::move(operands))};
 }
 
 namespace {
 
 /// `run(request, followers)` executes the run.
-bool write_judged(auto request, TraceWriter& writer, std::vector<Operands> operands, auto&& run) {
-    CheckedTrace trace(decisions_told(request, request.detail), writer, std::move(operands));
+bool write_judged(auto request, TraceWriter& writer, CheckedTrace trace, auto&& run) {
     const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };
     const StageCount count = [&](FilterStage stage) { trace.count(stage); };
     request.detail = Detail::signs;
@@ -151,15 +155,16 @@ bool write_judged(auto request, TraceWriter& writer, std::vector<Operands> opera
 }  // namespace
 
 bool write_checked_trace(const RunRequest& request, TraceWriter& writer) {
-    if (!request.kernel.is_always_right()) return write_judged(request, writer, {}, judged_run);
+    const DecisionsTold told = decisions_told(request, request.detail);
+    if (!request.kernel.is_always_right()) return write_judged(request, writer, {told, writer}, judged_run);
     auto [right, operands] = exactly(request);
-    return write_judged(request, writer, std::move(operands), [&right = right](const auto& of, const auto& followers) {
-        return compared_run(of, right, followers);
-    });
+    return write_judged(
+        request, writer, {told, writer, std::move(operands), right.reported},
+        [&right = right](const auto& of, const auto& followers) { return compared_run(of, right, followers); });
 }
 
 bool write_checked_trace(const FloatingHorizonRequest& request, TraceWriter& writer) {
-    return write_judged(request, writer, {}, told_floating_horizon);
+    return write_judged(request, writer, {decisions_told(request, request.detail), writer}, told_floating_horizon);
 }
 
 }  // namespace vidno

@@ -23,10 +23,11 @@ struct DecisionsTold {
 /// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
-    /// `operands` holds those of each event that reports a decision, in the order of the events. If it is empty, the verdicts' own are
-    /// used.
-    CheckedTrace(DecisionsTold told, TraceWriter& writer, std::vector<Operands> operands = {})
-        : told_(told), writer_(&writer), operands_(std::move(operands)) {}
+    /// `operands` and `right` hold the operands and the right answer of each event that reports a decision, in the order of the events, from a
+    /// run under `exact`. If they are empty, those of the verdicts are used.
+    CheckedTrace(DecisionsTold told, TraceWriter& writer, std::vector<Operands> operands = {},
+                 std::vector<Answer> right = {})
+        : told_(told), writer_(&writer), operands_(std::move(operands)), right_(std::move(right)) {}
 
     void judge(const Verdict& verdict) {
         heard_.add(JudgedDecision(verdict, told_.has(verdict.of) || verdict.wrong()));
@@ -50,6 +51,7 @@ private:
     DecisionsTold told_;
     TraceWriter* writer_;
     std::vector<Operands> operands_;
+    std::vector<Answer> right_;
     std::size_t decisions_ = 0;  // reported by events so far
     Pending<JudgedDecision> heard_;
     std::optional<FilterStage> last_stage_;  // the last one needed since the last event
