@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
+#include "counted.h"
 #include "output.h"
 #include "stability/journal.h"
 #include "stability/witness.h"
@@ -139,6 +140,24 @@ void print(const Results& results, Experiment::Kind kind, const std::string& tit
     }
 }
 
+/// How many trials each kernel could not take, for each method.
+void print_skipped(const Results& results) {
+    const Campaign& campaign = results.campaign();
+    Tallies all(campaign.kernels.size() * campaign.methods.size());
+    for (const auto& family : campaign.families) {
+        for (const auto& experiment : experiments) {
+            const Tallies sum = results.sum(family, experiment);
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += sum[i];
+        }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].skipped == 0) continue;
+        std::cout << "\nskipped: " << counted(all[i].skipped, "trial", "trials") << " of "
+                  << campaign.methods[i % campaign.methods.size()] << " with scenes that are too wide for "
+                  << campaign.kernels[i / campaign.methods.size()] << '\n';
+    }
+}
+
 void print(const Results& results) {
     using enum Experiment::Kind;
     const auto rate = [](std::uint64_t Tally::*part, std::uint64_t Tally::*whole) {
@@ -152,6 +171,7 @@ void print(const Results& results) {
           rate(&Tally::flickers, &Tally::steady));
     print(results, changed, "pixels in per cent that are not invariant", rate(&Tally::flickers, &Tally::steady));
     print(results, grown, "windows of Warnock's algorithm, area and scene grown to N pixels a side", windows_of);
+    print_skipped(results);
 }
 
 int verdict(const Results& results) {

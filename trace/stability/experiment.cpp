@@ -188,6 +188,12 @@ bool takes(Method method, const NamedKernel& kernel, const Series& series) {
            std::none_of(series.begin(), series.end(), [&](const Scene& scene) { return refusal_of(method, scene); });
 }
 
+/// Whether the kernel's numbers hold the scenes.
+bool holds(const NamedKernel& kernel, const Series& series) {
+    const auto fits = [&](const Scene& scene) { return fits_grid(scene, kernel.parameter); };
+    return !kernel.snaps() || std::all_of(series.begin(), series.end(), fits);
+}
+
 Series snapped_series(Series series, int bits) {
     for (auto& scene : series) scene = snapped_scene(scene, bits).scene;
     return series;
@@ -223,6 +229,7 @@ const std::array<Experiment, 21> experiments{{
 
 Tally& Tally::operator+=(const Tally& other) {
     for (const auto& [name, value] : tally_fields) this->*value += other.*value;
+    skipped += other.skipped;
     return *this;
 }
 
@@ -233,6 +240,13 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
     // The exact pictures of the series before snapping, by reference method, since most methods paint the same.
     std::map<Method, Pictures> right_as_given;
     for (const auto& kernel : kernels) {
+        if (!holds(kernel, series)) {
+            for (const TriedMethod& method : methods) {
+                tallies.emplace_back();
+                tallies.back().skipped = method && kernel.choice->runs(*method, Edition::corrected) ? 1 : 0;
+            }
+            continue;
+        }
         const Series own = kernel.snaps() ? snapped_series(series, kernel.parameter) : series;
         std::map<Method, Pictures> right_of_own;
         auto& right = kernel.snaps() ? right_of_own : right_as_given;

@@ -19,13 +19,14 @@ struct Tally {
     std::uint64_t decisions = 0, wrong_decisions = 0;  // those with a truth; after a wrong decision some have none
     std::uint64_t steady = 0, flickers = 0;  // pixels that should not change from one scene to the next; that do
     std::uint64_t windows = 0;               // of Warnock's algorithm
+    std::uint64_t skipped = 0;               // trials with a scene that the kernel cannot take
 
     Tally& operator+=(const Tally& other);
     bool all_right() const { return wrong_pixels + wrong_decisions + flickers == 0; }
     bool operator==(const Tally&) const = default;
 };
 
-/// By the names used in files.
+/// By the names used in files, which have `skipped` only where it is not 0.
 struct TallyField {
     std::string_view name;
     std::uint64_t Tally::*value;
@@ -59,8 +60,8 @@ extern const std::array<Experiment, 21> experiments;
 /// A method for polygons, or none for the floating horizon.
 using TriedMethod = std::optional<Method>;
 
-/// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. Throws Refused if a
-/// scene is too wide for `grid`.
+/// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. A trial with a scene that
+/// is too wide for `grid` is skipped, and counted as such.
 Tallies try_out(const Experiment& experiment, const std::vector<AdmittedScene>& series,
                 const std::vector<NamedKernel>& kernels, const std::vector<TriedMethod>& methods);
 

@@ -99,6 +99,7 @@ Json json_of(const Campaign& campaign, const Block& block, const Tallies& tallie
         for (const auto& method : campaign.methods) {
             Json entry{{"kernel", kernel}, {"method", method}};
             for (const auto& [name, value] : tally_fields) entry[std::string(name)] = *tally.*value;
+            if (tally->skipped > 0) entry["skipped"] = tally->skipped;
             object["tallies"].push_back(std::move(entry));
             ++tally;
         }
@@ -111,6 +112,7 @@ Tallies tallies_from(const Json& entries) {
     for (const auto& entry : entries) {
         tallies.emplace_back();
         for (const auto& [name, value] : tally_fields) entry.at(std::string(name)).get_to(tallies.back().*value);
+        tallies.back().skipped = entry.value("skipped", std::uint64_t{0});
     }
     return tallies;
 }

@@ -38,7 +38,6 @@ struct Block {
 /// The family with this name. Throws Refused if there is none.
 const Family& family_of(const std::string& name);
 
-/// Throws Refused if a scene is too wide for `grid`.
 Tallies run_block(const Campaign& campaign, const Block& block);
 
 /// A scene of polygons, or of curves.
