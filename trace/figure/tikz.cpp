@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "characters.h"
 #include "writers.h"
@@ -127,22 +131,130 @@ std::string environment(const Drawing& drawing) {
     return text + "\\end{tikzpicture}";
 }
 
+struct Range {
+    char32_t first, last;
+};
+
+// What LaTeX's own tables give these font encodings; the text symbols are in every document.
+constexpr auto in_t1 = std::to_array<Range>({{0xC0, 0xD6},
+                                             {0xD8, 0xF6},
+                                             {0xF8, 0xFF},
+                                             {0x102, 0x107},
+                                             {0x10C, 0x111},
+                                             {0x118, 0x11B},
+                                             {0x139, 0x13E},
+                                             {0x141, 0x144},
+                                             {0x147, 0x148},
+                                             {0x150, 0x155},
+                                             {0x158, 0x15B},
+                                             {0x15E, 0x165},
+                                             {0x16E, 0x171},
+                                             {0x178, 0x17E},
+                                             {0x201A, 0x201A}});
+constexpr auto in_t2a = std::to_array<Range>({{0x401, 0x401},
+                                              {0x404, 0x404},
+                                              {0x406, 0x407},
+                                              {0x40E, 0x40E},
+                                              {0x410, 0x44F},
+                                              {0x451, 0x451},
+                                              {0x454, 0x454},
+                                              {0x456, 0x457},
+                                              {0x45E, 0x45E},
+                                              {0x490, 0x491}});
+constexpr auto in_every_encoding = std::to_array<Range>({{0, 0x7E},
+                                                         {0xA1, 0xAC},
+                                                         {0xAE, 0xBF},
+                                                         {0xD7, 0xD7},
+                                                         {0xF7, 0xF7},
+                                                         {0x2018, 0x2019},
+                                                         {0x201C, 0x201E},
+                                                         {0x2022, 0x2022},
+                                                         {0x20AC, 0x20AC},
+                                                         {0x2116, 0x2116}});
+
+bool is_among(char32_t character, const auto& ranges) {
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [&](const Range& range) { return range.first <= character && character <= range.last; });
+}
+
+/// The alphabets of a figure's labels.
+struct Alphabets {
+    bool is_western = false, is_cyrillic = false;
+    std::u32string others;  // characters that pdfLaTeX's fonts lack, each once
+};
+
+Alphabets alphabets_in(const std::vector<Drawing>& drawings) {
+    Alphabets found;
+    const auto add = [&](char32_t c) {
+        const auto special = [&](const auto& each) { return each.first == c; };
+        if (std::any_of(in_tex.begin(), in_tex.end(), special) || is_among(c, in_every_encoding)) return;
+        if (is_among(c, in_t1)) {
+            found.is_western = true;
+        } else if (is_among(c, in_t2a)) {
+            found.is_cyrillic = true;
+        } else if (found.others.find(c) == found.others.npos) {
+            found.others += c;
+        }
+    };
+    for (const auto& drawing : drawings) {
+        for (const auto& thing : drawing.things) {
+            const auto* label = std::get_if<Label>(&thing);
+            if (!label) continue;
+            for (const char32_t c : characters_of(label->text)) add(c);
+        }
+    }
+    return found;
+}
+
+std::string utf8_of(const std::u32string& characters) {
+    std::string text;
+    for (const char32_t c : characters) text += utf8(c);
+    return text;
+}
+
+/// The fonts of a document with these alphabets.
+std::string fonts_for(const Alphabets& alphabets, Language language) {
+    if (!alphabets.others.empty()) {
+        return "\\usepackage{fontspec}\n"
+               "\\IfFontExistsTF{Noto Serif CJK SC}{\\setmainfont{Noto Serif CJK SC}}{}\n";
+    }
+    const bool is_cyrillic = alphabets.is_cyrillic || language == Language::russian;
+    const bool is_western = alphabets.is_western || language == Language::english;
+    // Debian's cm-super has the outlines of T2A. The last encoding is the document's; symbols that it lacks come from the other.
+    std::string of_both = "\\usepackage[T1,T2A]{fontenc}\n";
+    for (const char* symbol : {"DH", "DJ", "TH", "dh", "dj", "th", "quotesinglbase"}) {
+        of_both += std::string("\\DeclareTextSymbolDefault{\\") + symbol + "}{T1}\n";
+    }
+    const std::string encodings = !is_cyrillic ? "\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n"
+                                  : is_western ? of_both
+                                               : "\\usepackage[T2A]{fontenc}\n";
+    return "\\usepackage{cmap}\n" + encodings + "\\usepackage[utf8]{inputenc}\n";
+}
+
+/// Which engine typesets the document.
+std::string engine_for(const Alphabets& alphabets) {
+    if (alphabets.others.empty()) return "Stands alone under pdfLaTeX";
+    return "Needs LuaLaTeX or XeLaTeX and a font with " + utf8_of(alphabets.others) +
+           ", which pdfLaTeX lacks; stands alone there";
+}
+
 /// These lines make the figure a complete document, unless another document inputs it.
-std::string document(std::string_view classes, const About& about, const std::string& body) {
-    // Debian's cm-super has the outlines of T2A.
-    constexpr Bilingual encodings{"\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n", "\\usepackage[T2A]{fontenc}\n"};
+std::string document(std::string_view classes, const About& about, const Alphabets& alphabets,
+                     const std::string& body) {
     std::string title = about.title;
     std::replace(title.begin(), title.end(), '\n', ' ');
     return "% " + title +
            "\n"
-           "% Stands alone under pdfLaTeX; \\input it where the package tikz is loaded.\n"
+           "% " +
+           engine_for(alphabets) +
+           "; \\input it where the package tikz is loaded.\n"
            "\\def\\vidnofit#1#2{\\setbox0=\\hbox{#2}\\ifdim\\wd0>#1\\resizebox{#1}{\\height}{\\box0}\\else\\box0\\fi}\n"
            "\\expandafter\\ifx\\csname @nodocument\\endcsname\\relax\n"
            "\\let\\vidnoend\\relax\n"
            "\\else\n"
            "\\def\\vidnoend{\\end{document}}\n" +
-           std::string(classes) + "\\usepackage{cmap}\n" + std::string(encodings.in(about.language)) +
-           "\\usepackage[utf8]{inputenc}\n\\usepackage{tikz}\n"
+           std::string(classes) + fonts_for(alphabets, about.language) +
+           "\\usepackage{tikz}\n"
            "\\begin{document}\n"
            "\\fi\n" +
            body + "\\vidnoend\n";
@@ -150,8 +262,10 @@ std::string document(std::string_view classes, const About& about, const std::st
 
 }  // namespace
 
+std::string beyond_pdflatex(const std::vector<Drawing>& drawings) { return utf8_of(alphabets_in(drawings).others); }
+
 std::string tikz_of(const Drawing& drawing, const About& about) {
-    return document("\\documentclass{standalone}\n", about, environment(drawing));
+    return document("\\documentclass{standalone}\n", about, alphabets_in({drawing}), environment(drawing));
 }
 
 std::string beamer_of(const std::vector<Drawing>& drawings, const About& about) {
@@ -165,7 +279,7 @@ std::string beamer_of(const std::vector<Drawing>& drawings, const About& about) 
             "\\only<" + std::to_string(i + 1) + ">{\\scalebox{" + scale + "}{%\n" + environment(drawings[i]) + "}}%\n";
     }
     return document("\\documentclass[aspectratio=169]{beamer}\n\\setbeamertemplate{navigation symbols}{}\n", about,
-                    body + "\\end{frame}\n");
+                    alphabets_in(drawings), body + "\\end{frame}\n");
 }
 
 }  // namespace vidno::figures

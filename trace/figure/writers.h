@@ -24,8 +24,12 @@ std::string film_of(const std::vector<Drawing>& frames, double frames_a_second, 
 /// How much wider than Helvetica the letters of TeX's usual fonts may be; wider text is compressed.
 inline constexpr double letters_of_tex = 1.16;
 
-/// A document for pdfLaTeX with the size of the drawing. Another document may also \input it; its font is then used. `about` determines
-/// the font encoding.
+/// The characters of the labels that the fonts of pdfLaTeX lack, each once. With such characters `tikz_of` and `beamer_of` write a document
+/// for LuaLaTeX or XeLaTeX, which says so in its second line.
+std::string beyond_pdflatex(const std::vector<Drawing>& drawings);
+
+/// A document for pdfLaTeX with the size of the drawing. Another document may also \input it; its font is then used. Its letters and
+/// `about` determine the font encodings.
 std::string tikz_of(const Drawing& drawing, const About& about);
 
 /// The same for beamer: a frame with one overlay per drawing; all drawings have the same size.

@@ -1,0 +1,61 @@
+// The alphabets of a .tex figure: its font encodings, or the engine that it needs.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "figure/writers.h"
+
+using namespace vidno;
+using namespace vidno::figures;
+
+namespace {
+
+Drawing labelled(const std::string& text) {
+    Drawing drawing{20, 10};
+    drawing.add(Label{text, {1, 5}, 8, Anchor::start, false, {}});
+    return drawing;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+struct Case {
+    std::string label;
+    Language language;
+    std::string fonts, beyond;
+};
+
+}  // namespace
+
+TEST_CASE("A .tex figure loads the encodings of its letters, whatever its language") {
+    constexpr auto english = Language::english, russian = Language::russian;
+    const std::string t1 = "[T1]{fontenc}", t2a = "[T2A]{fontenc}", both = "[T1,T2A]{fontenc}", other = "{fontspec}";
+    for (const auto& [label, language, fonts, beyond] : {
+             Case{"A, z = 1/2", english, t1, ""},
+             Case{"Łódź", english, t1, ""},
+             Case{"σ ≤ ∞ · →", english, t1, ""},
+             Case{"Куб", english, both, ""},
+             Case{"Куб", russian, t2a, ""},
+             Case{"A", russian, t2a, ""},
+             Case{"Đà", russian, both, ""},
+             Case{"Їжак и Łódź", english, both, ""},
+             Case{"立方体", english, other, "立方体"},
+             Case{"立方体", russian, other, "立方体"},
+             Case{"αβα", english, other, "αβ"},
+             Case{"🙂", english, other, "🙂"},
+             Case{"שלום", russian, other, "שלום"},
+         }) {
+        CAPTURE(label);
+        const Drawing drawing = labelled(label);
+        CHECK(beyond_pdflatex({drawing}) == beyond);
+        for (const std::string& text : {tikz_of(drawing, {"", language}), beamer_of({drawing}, {"", language})}) {
+            CHECK(has(text, fonts));
+            CHECK(has(text.substr(0, text.find("\\def")),
+                      beyond.empty() ? "under pdfLaTeX" : "Needs LuaLaTeX or XeLaTeX"));
+        }
+    }
+}
+
+TEST_CASE("The title of a figure is a comment, so its letters need no font") {
+    CHECK(has(tikz_of(labelled("A"), {"立方体", Language::english}), "[T1]{fontenc}"));
+}
