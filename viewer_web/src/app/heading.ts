@@ -23,7 +23,8 @@ export function heading(session: Session, name: string, language: Language): Tem
 /** The notices about the open run, and about the run beside it. */
 export function notices(session: Session, language: Language): TemplateResult {
   const { notice, rival } = session;
-  return html`${noticeOf(notice, language, () => session.stop())}
+  const go = ({ detail: step }: CustomEvent<number>): void => session.move({ step });
+  return html`${noticeOf(notice, language, () => session.stop(), go)}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
 
@@ -33,11 +34,18 @@ export function invitation(session: Session, language: Language): TemplateResult
   return html`<p class="nothing">${texts[language].page.nothingOpen}</p>`;
 }
 
-function noticeOf(notice: Notice | null, language: Language, stop: () => void): TemplateResult {
+function noticeOf(
+  notice: Notice | null,
+  language: Language,
+  stop: () => void,
+  go: ((event: CustomEvent<number>) => void) | null = null,
+): TemplateResult {
   return html`<vidno-notice
     class=${notice?.kind ?? nothing}
     .notice=${notice}
     .language=${language}
+    ?leads=${go !== null}
     @stop=${stop}
+    @go=${go}
   ></vidno-notice>`;
 }

@@ -26,7 +26,7 @@ import type { Options } from '../run/options.js';
 import { optionsOf, unpacked, wordOf } from '../run/packed.js';
 import { Failures } from '../run/failures.js';
 import type { Failure } from '../run/failures.js';
-import { kindOf, kindOfFile } from '../run/file-kind.js';
+import { isMesh, kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
 import { ownStep } from '../time/own-step.js';
@@ -187,6 +187,10 @@ export class Session implements ReactiveController {
 
   /** A trace opens at the place. */
   async openFile(file: File, place = beginning): Promise<void> {
+    if (isMesh(file.name)) {
+      this.say({ kind: 'mesh', name: file.name });
+      return;
+    }
     const kind = await kindOfFile(file);
     if (kind === 'trace') this.open(file, file.name, null, place);
     else if (kind === 'chart') this.say({ kind, name: file.name });

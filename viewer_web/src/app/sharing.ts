@@ -1,4 +1,5 @@
 import { download, fileName } from '../base/download.js';
+import { unheld } from '../base/unheld.js';
 import { isGzip } from '../base/text-file.js';
 import type { Carried } from '../editor/live.js';
 import { inEachLanguage } from '../language/language.js';
@@ -34,12 +35,13 @@ const written = (
   const { place, rival, witness, entry } = session;
   const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
   const at = reading.reached.place;
+  const isHeld = session.trace === null || trace !== null || entry !== null || live !== null;
   return formatAddress({
     setup,
     ...place,
     lesson,
     at,
-    trace,
+    trace: isHeld ? trace : unheld,
     entry,
     // An entry of the atlas includes its scene.
     live: entry === null ? live : null,

@@ -2,7 +2,7 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  p:is(.reading, .failed, .refused, .unknown, .chart, .shortened) {
+  p:is(.reading, .failed, .refused, .unknown, .chart, .mesh, .shortened, .lost) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -24,7 +24,7 @@ export const noticeStyle = css`
     font-size: 0.8125rem;
     font-variant-numeric: tabular-nums;
   }
-  p:is(.failed, .refused, .unknown, .chart) {
+  p:is(.failed, .refused, .unknown, .chart, .mesh) {
     background: var(--bad-wash);
     color: var(--bad);
   }
@@ -35,7 +35,11 @@ export const noticeStyle = css`
     font-size: 0.875rem;
     overflow-wrap: anywhere;
   }
-  p.shortened {
+  p.lost {
+    display: inline-block;
+    margin-right: 0.4rem;
+  }
+  p:is(.shortened, .lost) {
     background: var(--warn-wash);
     color: var(--warn);
   }

@@ -193,11 +193,17 @@ export interface PageTexts extends FileTexts {
   readonly cancel: string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly unknown: (name: string) => string;
+  /** A link that could not hold what it was made from. */
+  readonly unheld: string;
+  /** The run lost something at these many steps, first at this one. */
+  readonly lost: (faults: number, step: string) => string;
+  readonly goToLoss: (step: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
   /** The same before a list of errors. */
   readonly refusedFor: (name: string) => string;
   readonly isChart: (name: string) => string;
+  readonly isMesh: (name: string) => string;
   readonly emptyFile: (name: string) => string;
   readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
   readonly wrongLine: (line: number, where: string, reason: string) => string;

@@ -69,8 +69,15 @@ export class Source implements ReactiveController {
     return html`<vidno-notice
       .notice=${this.notice}
       .language=${language}
+      leads
       @stop=${() => this.stop()}
+      @go=${({ detail: step }: CustomEvent<number>) => this.go(step)}
     ></vidno-notice>`;
+  }
+
+  private go(step: number): void {
+    this.host.step = step;
+    this.host.requestUpdate();
   }
 
   /** Stops reading and keeps the steps read so far. */

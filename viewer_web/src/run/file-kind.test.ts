@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { kindOf } from './file-kind.js';
+import { isMesh, kindOf } from './file-kind.js';
 
 it.each([
   ['{"format":"vidno-scene/1","window":{}', 'scene'],
@@ -27,4 +27,12 @@ it.each([
   ['[1, 2]', 'trace'],
 ])('%s', (start, kind) => {
   expect(kindOf(start)).toBe(kind);
+});
+
+it.each(['cube.obj', 'cube.OFF', 'a b.ply', 'part.Stl'])('%s is a mesh', (name) => {
+  expect(isMesh(name)).toBe(true);
+});
+
+it.each(['scene.json', 'run.jsonl.gz', 'obj', 'object.objx'])('%s is no mesh', (name) => {
+  expect(isMesh(name)).toBe(false);
 });

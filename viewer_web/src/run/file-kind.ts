@@ -73,6 +73,9 @@ export async function kindOfFile(file: Blob): Promise<FileKind> {
   return kindOf(await startOf(file));
 }
 
+/** Whether a file is a mesh, by its name: only the program reads meshes. */
+export const isMesh = (name: string): boolean => /\.(?:obj|off|ply|stl)$/iu.test(name);
+
 /** The beginning of its text, as far as it can be read. */
 async function startOf(file: Blob): Promise<string> {
   const reader = (await textStream(file)).getReader();

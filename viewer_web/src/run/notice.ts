@@ -8,6 +8,8 @@ import type { Language } from '../language/language.js';
 import type { Shortened } from '../replay/read.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
+import { unheld } from '../base/unheld.js';
+import { numberOf } from '../trace/events.js';
 import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
 
@@ -18,13 +20,24 @@ export type Notice =
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
   | { readonly kind: 'unknown'; readonly name: string }
   | { readonly kind: 'chart'; readonly name: string }
+  | { readonly kind: 'mesh'; readonly name: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
-  | ({ readonly kind: 'shortened' } & Shortened);
+  | ({ readonly kind: 'shortened' } & Shortened)
+  /** The run lost something at these many steps, first at this one. */
+  | { readonly kind: 'lost'; readonly step: number; readonly faults: number };
+
+const fault = numberOf.get('fault') ?? -1;
 
 /** The notice about a trace that is shown or being read. */
 export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
   if (!complete) return { kind: 'growing', steps: timeline.length, read };
-  return shortened && { kind: 'shortened', ...shortened };
+  if (shortened) return { kind: 'shortened', ...shortened };
+  const { names } = timeline;
+  const first = names.indexOf(fault);
+  if (first < 0) return null;
+  let faults = 0;
+  for (let at = first; at >= 0; at = names.indexOf(fault, at + 1)) faults += 1;
+  return { kind: 'lost', step: first + 1, faults };
 }
 
 /** Progress is not announced at each change. */
@@ -33,24 +46,40 @@ const roles = {
   growing: nothing,
   unknown: 'alert',
   chart: 'alert',
+  mesh: 'alert',
   failed: 'alert',
   refused: 'alert',
   shortened: 'status',
+  lost: 'status',
 } as const;
 
-/** One line about a file that is being read, was refused, or is incomplete. An event `stop` asks to stop reading it. */
+/**
+ * One line about a file that is being read, was refused, or is incomplete, or about a run that lost something. An event `stop`
+ * asks to stop reading it, and `go` to go to a step.
+ */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
   static override styles = [base, noticeStyle];
 
   @property({ attribute: false }) notice: Notice | null = null;
   @property({ attribute: false }) language: Language = 'en';
+  /** Whether somebody hears `go`. */
+  @property({ type: Boolean }) leads = false;
 
   override render(): TemplateResult | typeof nothing {
     const { notice } = this;
     if (notice === null) return nothing;
     return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
-      ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}`;
+      ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}
+      ${notice.kind === 'lost' && this.leads ? this.way(notice.step) : nothing}`;
+  }
+
+  /** The way to a step. */
+  private way(step: number): TemplateResult {
+    const go = (): boolean => this.dispatchEvent(new CustomEvent<number>('go', { detail: step }));
+    return html`<button @click=${go}>
+      ${texts[this.language].page.goToLoss(step.toLocaleString(this.language))}
+    </button>`;
   }
 
   /** A list of several errors in a file. */
@@ -82,8 +111,14 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
-    if (notice.kind === 'unknown') return page.unknown(notice.name);
+    if (notice.kind === 'unknown') {
+      return notice.name === unheld ? page.unheld : page.unknown(notice.name);
+    }
+    if (notice.kind === 'lost') {
+      return page.lost(notice.faults, notice.step.toLocaleString(this.language));
+    }
     if (notice.kind === 'chart') return page.isChart(notice.name);
+    if (notice.kind === 'mesh') return page.isMesh(notice.name);
     if (notice.kind === 'refused') {
       return this.sayRefused(notice);
     }

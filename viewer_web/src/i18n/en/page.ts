@@ -18,10 +18,20 @@ export const page: PageTexts = {
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   emptyFile: (name) => `${name}: the file is empty.`,
   unknown: (name) => `The link names “${name}”, which this page does not contain.`,
+  unheld:
+    'The link was copied from a page with an opened file or a large scene, which a link cannot hold. ' +
+    'Ask for the page itself: its button “Save page” saves a page that contains everything.',
+  lost: (faults, step) =>
+    faults === 1
+      ? `The run lost something at step ${step}: the picture may lack a part.`
+      : `The run lost something at ${faults} steps, first at step ${step}: the picture may lack parts.`,
+  goToLoss: (step) => `Go to step ${step}`,
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} cannot be run: ${why}.`,
   refusedFor: (name) => `${name} cannot be run:`,
   isChart: (name) => `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
+  isMesh: (name) =>
+    `${name} is a mesh. Make a scene of it with the program, and open that: vidno import ${name} -o scene.json`,
   shortened: {
     cut: (line) => `The file breaks off after line ${line}. Showing the run up to there.`,
     partial: () => 'The run reached its limit of events. Showing its beginning.',

@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import { languages } from '../language/language.js';
+import type { Trace } from '../replay/trace.js';
+import { numberOf } from '../trace/events.js';
+import { noticeOf } from './notice.js';
+
+/** A trace that was read whole, with events of these names. */
+const traceOf = (...names: readonly string[]): Trace =>
+  ({
+    complete: true,
+    shortened: null,
+    read: 1,
+    timeline: {
+      length: names.length,
+      names: Uint8Array.from(names, (name) => numberOf.get(name) ?? 255),
+    },
+  }) as unknown as Trace;
+
+describe('the notice about a run', () => {
+  it('leads to the first of the steps at which something was lost', () => {
+    const trace = traceOf('call', 'fault', 'clipped', 'fault');
+    expect(noticeOf(trace)).toEqual({ kind: 'lost', step: 2, faults: 2 });
+  });
+
+  it('is missing if nothing was lost', () => {
+    expect(noticeOf(traceOf('call', 'clipped'))).toBeNull();
+  });
+
+  it.each(languages)('counts the losses and names the step (%s)', (language) => {
+    const { lost, goToLoss } = texts[language].page;
+    expect(lost(1, '57')).toMatch(/57/u);
+    expect(lost(3, '57')).toMatch(/(?=.*3)(?=.*57)/u);
+    expect(goToLoss('57')).toMatch(/57/u);
+  });
+});
