@@ -26,6 +26,11 @@ namespace {
     throw Refused(name + ": " + what + ": " + std::strerror(errno));
 }
 
+/// The reason may have been lost: a full device is noticed when a buffer is written, which may be long before.
+[[noreturn]] void lose(const std::string& name) {
+    throw OutputLost(name + ": cannot write" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+}
+
 }  // namespace
 
 std::string read_file(const std::string& name) {
@@ -85,6 +90,12 @@ private:
 
 }  // namespace
 
+void flush_standard_output() {
+    errno = 0;
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) lose("standard output");
+}
+
 void remove_unfinished_files() noexcept { Unfinished::remove_all(); }
 
 struct OutputFile::Stream {
@@ -129,16 +140,16 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view bytes) {
     errno = 0;
-    if (!stream_->write(bytes)) refuse(name_, "cannot write");
+    if (!stream_->write(bytes)) lose(name_);
 }
 
 void OutputFile::commit() {
     errno = 0;
     if (stream_->file == stdout) {
-        if (std::fflush(stdout) != 0) refuse("standard output", "cannot write");
+        flush_standard_output();
         return;
     }
-    if (!stream_->close()) refuse(name_, "cannot write");
+    if (!stream_->close()) lose(name_);
     if (temporary_.empty()) return;
     std::error_code error;
     std::filesystem::rename(temporary_, name_, error);
@@ -168,6 +179,8 @@ LineReader::LineReader(const std::string& name) : LineReader(std::make_unique<So
     source_->file.emplace(name);
     if (!source_->file->is_open()) refuse(name, "cannot read");
 }
+
+bool LineReader::damaged() const { return source_->file && source_->file->is_cut(); }
 
 LineReader LineReader::of_text(std::string text) {
     LineReader reader(std::make_unique<Source>());

@@ -18,7 +18,8 @@ std::string read_file(const std::string& name);
 enum class Packing : unsigned char { quick, done };
 
 /// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. A device or a pipe
-/// is written to directly. Throws Refused if the system refuses, or if more than eight files are written at once.
+/// is written to directly. Throws Refused if the system refuses, or if more than eight files are written at once, and OutputLost if the
+/// device is full.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
@@ -36,6 +37,9 @@ private:
     std::string temporary_;  // empty: standard output, a device or a pipe
     std::unique_ptr<Stream> stream_;
 };
+
+/// Writes what standard output still buffers. Throws OutputLost if anything that the program printed could not be written.
+void flush_standard_output();
 
 /// Removes the temporary files that are not committed. A signal handler may call it.
 void remove_unfinished_files() noexcept;
@@ -56,6 +60,8 @@ public:
     /// False at the end. A last line without a newline, or truncated compressed data, sets `cut`.
     bool next(std::string& line);
     bool cut() const { return cut_; }
+    /// At the end: whether compressed data ended too early or fail their checksum.
+    bool damaged() const;
 
 private:
     struct Source;

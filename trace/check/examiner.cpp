@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "choice/method.h"
+#include "format/run_losses.h"
 #include "scene/families.h"
 #include "vidno/kernels/exact.h"
 #include "vidno/vidno.h"
@@ -70,12 +71,6 @@ struct OperationOf {
     Found operator()(const auto&) const { return std::nullopt; }
 };
 
-/// A write outside the area does not end a run, nor does an outline that is left out because it does not close.
-bool ends_run(const event::Fault& fault) {
-    using enum Line;
-    return !fault.x && fault.at != RC4 && fault.at != RC5 && fault.at != SP3;
-}
-
 }  // namespace
 
 Examiner::Examiner(const AdmittedScene& scene)
@@ -86,12 +81,14 @@ Examiner::~Examiner() = default;
 Findings Examiner::examine(const RunRequest& request, const std::vector<std::size_t>& sources) const {
     Findings found;
     PolygonPlace scanned;
+    RunLosses losses(request.kernel.name());
     const auto look_at_depth = [&](PolygonPlace polygon, const Value& x, const Value& y, const Value& z) {
         if (z.fraction) return;  // exact
         const auto source = sources[std::size_t(polygon.index)];
         found.depth_ulps = std::max(found.depth_ulps, depths_->ulps_off(source, x.number, y.number, z.number));
     };
     const auto hear = [&](const EventView& event) {
+        losses.hear(event);
         if (const auto operation = event.visit(OperationOf{})) ++found.operations[std::size_t(*operation)];
         if (const auto* fault = event.get_if<event::Fault>()) found.complete = found.complete && !ends_run(*fault);
         if (const auto* polygon = event.get_if<event::Polygon>()) scanned = polygon->polygon;
@@ -105,6 +102,7 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
     const bool by_picture_rule = reference_of(request.method) == Method::zbuffer;
     const CheckReport report =
         check_run(request, by_picture_rule ? right_ : right_picture(scene_, request.method), hear);
+    found.losses = losses.all(polygon_names(request.scene));
     found.wrong_pixels = report.wrong_pixels;
     found.area = visible_.wrong_in(report.picture);
     for (const auto& each : report.procedures) {

@@ -9,6 +9,7 @@
 
 #include "check/check.h"
 #include "check/visible_areas.h"
+#include "loss.h"
 
 namespace vidno {
 
@@ -19,7 +20,8 @@ inline constexpr std::array<std::string_view, 8> operation_names{
 using OperationCounts = std::array<std::uint64_t, operation_names.size()>;
 
 struct Findings {
-    bool complete = true;  // no fault ended the run
+    bool complete = true;      // no fault ended the run
+    std::vector<Loss> losses;  // of the run
     OperationCounts operations{};
     std::uint64_t wrong_pixels = 0;
     double area = 0;  // shown in a wrong colour, in pixels

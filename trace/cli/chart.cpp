@@ -3,6 +3,7 @@
 #include "chart/chart_input.h"
 #include "cli/commands.h"
 #include "cli/shared/chart_axes.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/scene_files.h"
 #include "output.h"
@@ -66,6 +67,24 @@ auto charts_of(const auto& subjects) {
     return charts;
 }
 
+/// The first loss of each run that lost something.
+void add_losses(const std::vector<SceneChart>& charts, const std::vector<std::string>& files, Losses& losses) {
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        std::vector<Loss> of_runs;
+        for (const ChartRun& charted : charts[i].runs) {
+            if (charted.found.losses.empty()) continue;
+            const Way& way = charted.way;
+            const auto& [what, where] = charted.found.losses.front();
+            const std::string run = std::string(method_names[std::size_t(way.method)]) + " under " + way.kernel.name() +
+                                    ", " + name_of(way.edition);
+            of_runs.push_back({what, run + ", " + where});
+        }
+        losses.add(files[i], of_runs);
+    }
+}
+/// No text of the floating horizon has a fault.
+void add_losses(const std::vector<SurfaceChart>&, const std::vector<std::string>&, Losses&) {}
+
 int chart(const ChartOptions& options) {
     std::vector<AdmittedScene> scenes;
     std::vector<Function> functions;
@@ -80,9 +99,15 @@ int chart(const ChartOptions& options) {
     }
     expect_format(options, scenes.empty());
     OutputFile file(options.output);
-    file.write(scenes.empty() ? written(charts_of(functions), options) : written(charts_of(scenes), options));
+    Losses losses;
+    const auto chart_all = [&](const auto& subjects) {
+        const auto charts = charts_of(subjects);
+        add_losses(charts, options.scenes, losses);
+        return written(charts, options);
+    };
+    file.write(scenes.empty() ? chart_all(functions) : chart_all(scenes));
     file.commit();
-    return 0;
+    return losses.told();
 }
 
 }  // namespace
@@ -105,6 +130,7 @@ void add_chart(CLI::App& program, int& status) {
         "fastest;\n"
         "counts of operations are always the same.\n"
         "The page offers every cost and error, recommends a run and says why, and links each run to its replay.\n"
+        "Exit status 1: a run lost something; standard error says which run, what and where.\n"
         "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
         "          vidno chart lessons/surfaces/*.json -o surfaces.html");
     command.callback([options, &status] { status = chart(*options); });

@@ -4,6 +4,7 @@
 #include "check/check.h"
 #include "check/findings_text.h"
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
@@ -28,7 +29,7 @@ struct CheckOptions {
 /// The options of a trace's own run, or for a scene the defaults.
 using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
-AnyHeader run_of(const CheckOptions& options) {
+AnyHeader run_of(const CheckOptions& options, Losses& losses) {
     RunOptions run{options.input, options.method, options.kernel, options.edition};
     const auto of_scene = [&]<class S>(const S& scene) -> AnyHeader {
         if constexpr (std::same_as<S, Surface>) {
@@ -38,13 +39,18 @@ AnyHeader run_of(const CheckOptions& options) {
         }
     };
     if (!is_trace(options.input)) return std::visit(of_scene, any_scene_for(run, true));
-    const AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
+    AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
     const bool of_curves = std::holds_alternative<FloatingHorizonTraceReader>(opened);
     if (options.method && (options.method == floating_horizon_method) != of_curves) {
         throw Refused("--method " + *options.method + ": " + options.input + " is a trace of " +
                       (of_curves ? "curves" : "polygons"));
     }
-    return std::visit([](const auto& reader) -> AnyHeader { return reader.header(); }, opened);
+    return std::visit(
+        [&](auto& reader) -> AnyHeader {
+            losses.add(reader);
+            return reader.header();
+        },
+        opened);
 }
 
 void print(const DecisionReport& report) {
@@ -172,14 +178,16 @@ int check(const CheckOptions& options) {
     if (!options.list.empty() && !options.list.ends_with(".csv") && !options.list.ends_with(".jsonl")) {
         throw Refused(options.list + ": not .csv or .jsonl");
     }
-    AnyHeader header = run_of(options);
-    return std::visit(
+    Losses losses;
+    AnyHeader header = run_of(options, losses);
+    const int found = std::visit(
         [&](auto& run) {
             if (options.edition) run.edition = *edition_named(*options.edition);
             run.kernel = options.kernel.value_or(run.kernel);
             return check_header(options, run);
         },
         header);
+    return losses.told() != 0 ? 1 : found;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "format/trace_reader.h"
 
@@ -21,6 +22,10 @@ struct Told {
         : reader(open_trace(LineReader(file), file)),
           text(std::visit([](const auto& each) { return polygon_names(each.header().scene); }, reader)) {}
 
+    TraceFile& trace() {
+        return std::visit([](auto& each) -> TraceFile& { return each; }, reader);
+    }
+
     /// None at the end.
     std::optional<std::string> next_line() {
         const auto event = std::visit([](auto& each) { return each.next(); }, reader);
@@ -31,6 +36,16 @@ struct Told {
     }
 };
 
+/// The status after the last step that was compared: both traces may have been cut. What both runs lost is no difference.
+int status_after(Told& first, Told& second, bool differ) {
+    Losses losses;
+    for (Told* each : {&first, &second}) {
+        each->trace().skip_rest();
+        if (const auto lack = each->trace().lacks()) losses.add(each->trace().place(), {*lack});
+    }
+    return losses.told() != 0 || differ ? 1 : 0;
+}
+
 int diff(const DiffOptions& options) {
     Told first(options.first);
     Told second(options.second);
@@ -39,12 +54,13 @@ int diff(const DiffOptions& options) {
         progress.show(step);
         const auto a = first.next_line();
         const auto b = second.next_line();
-        if (!a && !b) return 0;
-        if (a == b) continue;
+        if (a && a == b) continue;
         progress.clear();
-        std::cout << "the traces differ from step " << step << " on\n- " << a.value_or("(the end)\n") << "+ "
-                  << b.value_or("(the end)\n");
-        return 1;
+        if (a || b) {
+            std::cout << "the traces differ from step " << step << " on\n- " << a.value_or("(the end)\n") << "+ "
+                      << b.value_or("(the end)\n");
+        }
+        return status_after(first, second, a || b);
     }
 }
 
@@ -55,7 +71,7 @@ void add_diff(CLI::App& program, int& status) {
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->first, "A trace")->required();
     command.add_option("B", options->second, "Another trace, for example under another kernel")->required();
-    command.footer("The headers are not compared. Exit status 1: the traces differ.");
+    command.footer("The headers are not compared. Exit status 1: the traces differ, or one was cut short.");
     command.callback([options, &status] { status = diff(*options); });
 }
 

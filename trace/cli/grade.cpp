@@ -114,6 +114,14 @@ void write_page(const SceneGrade& grade, const std::string& file, const Words& s
 
 bool adds_random_scenes(const GradeOptions& options) { return options.scenes.empty() && options.random > 0; }
 
+/// A report must name each scene: one without a name gets that of its file.
+AdmittedScene named(AdmittedScene scene, const std::string& file) {
+    if (!scene->name.empty()) return scene;
+    Scene with_name = scene;
+    with_name.name = std::filesystem::path(file).stem().string();
+    return exact_scene::admit(std::move(with_name));
+}
+
 ScenesToGrade scenes_of(const GradeOptions& options) {
     ScenesToGrade scenes;
     for (const auto& file : options.scenes) {
@@ -121,7 +129,7 @@ ScenesToGrade scenes_of(const GradeOptions& options) {
         if (auto* surface = std::get_if<Surface>(&scene)) {
             scenes.surfaces.push_back(std::move(*surface));
         } else {
-            scenes.polygons.push_back(std::get<AdmittedScene>(std::move(scene)));
+            scenes.polygons.push_back(named(std::get<AdmittedScene>(std::move(scene)), file));
         }
     }
     if (!options.scenes.empty()) return scenes;
@@ -189,8 +197,7 @@ int grade_one(const GradeOptions& options, const Grading& grading) {
             throw Refused(options.program + ": not a regular file");
         LineReader lines(options.program);
         std::string text;
-        for (std::string line; lines.next(line);) text += line + '\n';
-        if (lines.cut() && !text.empty()) text.pop_back();  // the reader tells by the newline whether a line was cut
+        for (std::string line; lines.next(line);) text += lines.cut() ? line : line + '\n';
         grade = grade_trace(std::move(text), grading);
     } else {
         const ScenesToGrade scenes = scenes_of(options);

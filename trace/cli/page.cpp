@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/shared/built_lesson.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
@@ -67,12 +68,12 @@ std::string_view method_in(const TraceHeader& header) { return method_names[std:
 std::string_view method_in(const FloatingHorizonHeader&) { return floating_horizon_method; }
 
 /// A trace, once every event could be read.
-PageFile trace_file(const std::string& file, bool& whole) {
+PageFile trace_file(const std::string& file, Losses& losses) {
     Progress progress("events");
     const auto read = [&](auto& reader) -> PageFile {
         while (reader.next()) progress.show(reader.events());
         progress.clear();
-        if (!is_whole(reader)) whole = false;
+        losses.add(reader);
         const auto& header = reader.header();
         return {title_of(header.scene.name, file),
                 std::string(method_in(header)),
@@ -108,20 +109,22 @@ int page(const PageOptions& options) {
     if (options.language) language = Language(place_in(language_codes, *options.language));
     trace_page({});  // refuses what would be missing in the end before the work
     OutputFile output(options.output);
-    bool whole = true;
+    bool lessons_are_right = true;
+    Losses losses;
     PageContent content;
     for (const auto& file : options.files) {
         if (std::filesystem::is_directory(file)) {
-            whole = add_lesson_to(content, file, options.answers) && whole;
+            lessons_are_right = add_lesson_to(content, file, options.answers) && lessons_are_right;
         } else {
-            content.add(is_trace(file) ? trace_file(file, whole) : scene_file(file));
+            expect_no_mesh(file);
+            content.add(is_trace(file) ? trace_file(file, losses) : scene_file(file));
         }
     }
     const std::string made = trace_page(content, language);
     const std::string title = content.title(language.value_or(Language::english));
     output.write(is_package ? scorm_package(made, title, options.questions.value_or(usual_questions)) : made);
     output.commit();
-    return whole ? 0 : 1;
+    return losses.told() != 0 || !lessons_are_right ? 1 : 0;
 }
 
 }  // namespace
@@ -152,7 +155,7 @@ void add_page(CLI::App& program, int& status) {
         "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
         "Examples: vidno page run.jsonl.gz scene.json -o lecture.html\n"
         "          vidno page lessons/02-corner-depths --questions 8 -o corner-depths.zip\n"
-        "Exit status 1: a trace was cut short or is partial; the page contains the part that exists.");
+        "Exit status 1: a trace was cut short, is partial, or its run lost something; the page contains what exists.");
     command.callback([options, &status] { status = page(*options); });
 }
 

@@ -1,4 +1,5 @@
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
@@ -54,7 +55,7 @@ std::string encoded_regions(RunRequest request, const RenderOptions& options) {
     return figures::encoded(drawn(regions, request, options.lines), {request.scene->name}, options.output);
 }
 
-std::string rendered(const RenderOptions& options, const AdmittedScene& given) {
+std::string rendered(const RenderOptions& options, const AdmittedScene& given, Losses& losses) {
     const bool of_regions = is_of_regions(options);
     if (!of_regions || options.output.ends_with(".json")) expect_no_lines(options);
     if (!of_regions) encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
@@ -64,24 +65,35 @@ std::string rendered(const RenderOptions& options, const AdmittedScene& given) {
     RunRequest request = request_of(options, kernel, scene);
     Progress progress(paced_by(request.method));
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    return of_regions ? encoded_regions(request, options) : encode_image(run(request), options.output);
+    bool loses = false;
+    request.loses = &loses;
+    std::string picture = of_regions ? encoded_regions(request, options) : encode_image(run(request), options.output);
+    progress.clear();
+    if (loses) losses.add(options.scene, losses_of(request));
+    return picture;
 }
 
-std::string rendered(const RenderOptions& options, const Surface& surface) {
+std::string rendered(const RenderOptions& options, const Surface& surface, Losses& losses) {
     expect_no_lines(options);
     figures::format_of(options.output);  // refuses a wrong name before the work
     FloatingHorizonRequest request = request_of(options, surface);
     Progress progress("curves");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    return figures::encoded(figures::drawn_lines(run(request), surface.curves->area), {surface.name}, options.output);
+    const DrawnLines lines = run(request);
+    progress.clear();
+    const Area& area = surface.curves->area;
+    losses.add(options.scene, losses_of(request, lines));
+    losses.add(options.scene, figures::cut_curves(lines, figures::plane_without_frame(area)));
+    return figures::encoded(figures::drawn_lines(lines, area), {surface.name}, options.output);
 }
 
 int render(RenderOptions options) {
     const AnyScene any = any_scene_for(options);
+    Losses losses;
     OutputFile file(options.output);
-    file.write(std::visit([&](const auto& scene) { return rendered(options, scene); }, any));
+    file.write(std::visit([&](const auto& scene) { return rendered(options, scene, losses); }, any));
     file.commit();
-    return 0;
+    return losses.told();
 }
 
 }  // namespace
@@ -100,7 +112,9 @@ void add_render(CLI::App& program, int& status) {
                     "Only the outlines: visible lines solid, hidden lines dashed or omitted; for weiler-atherton, as "
                     ".svg, .pdf or .tex")
         ->check(CLI::IsMember({"dashed", "omitted"}));
-    command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
+    command.footer(
+        "Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png\n"
+        "Exit status 1: the run lost something; standard error says what and where, the picture shows the rest.");
     command.callback([options, &status] { status = render(*options); });
 }
 

@@ -1,6 +1,5 @@
-#include <iostream>
-
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/trace_files.h"
 #include "figure/encoded.h"
@@ -35,14 +34,17 @@ std::string encoded(const FloatingHorizonState& state, const std::string& name) 
     return figures::encoded(figures::drawn_lines(state.values().lines, surface.curves->area), {surface.name}, name);
 }
 
+/// The curves that a picture does not show whole.
+std::vector<Loss> cut_curves(const State&) { return {}; }
+std::vector<Loss> cut_curves(const FloatingHorizonState& state) {
+    const Area& area = state.header().scene.curves->area;
+    return figures::cut_curves(state.values().lines, figures::plane_without_frame(area));
+}
+
 /// Compares the file's last line with what was read.
-int verdict(const TraceFile& trace, const auto& state) {
-    if (!is_whole(trace)) return 1;
-    if (trace.end()->hash != hash_of(state)) {
-        std::cerr << trace.place() << ": the events do not paint the picture that the trace states\n";
-        return 1;
-    }
-    return 0;
+void expect_stated(const TraceFile& trace, const auto& state, Losses& losses) {
+    if (!trace.end() || trace.end()->partial || trace.end()->hash == hash_of(state)) return;
+    losses.add(trace.place(), {{"the events do not paint the picture that the trace states", {}}});
 }
 
 int replay_run(const ReplayOptions& options, auto& reader) {
@@ -66,7 +68,11 @@ int replay_run(const ReplayOptions& options, auto& reader) {
     if (!all_states && !one_state) file.write(encoded(state, options.output));
     file.commit();
     progress.clear();
-    return options.step ? 0 : verdict(reader, state);
+    Losses losses;
+    if (!all_states && !one_state) losses.add(options.trace, cut_curves(state));
+    losses.add(reader);
+    if (!options.step) expect_stated(reader, state, losses);
+    return losses.told();
 }
 
 int replay(const ReplayOptions& options) {
@@ -86,7 +92,9 @@ void add_replay(CLI::App& program, int& status) {
                     "The picture, .png or .ppm; for curves .svg, .pdf, .png or .tex; or the whole state: .json at that "
                     "step, .jsonl at every step")
         ->required();
-    command.footer("Exit status 1: the trace was cut short, is partial, or does not paint the picture that it states.");
+    command.footer(
+        "Exit status 1: the trace was cut short, is partial, its run lost something, or it does not paint the picture "
+        "that it states.");
     command.callback([options, &status] { status = replay(*options); });
 }
 

@@ -1,7 +1,6 @@
-#include <iostream>
-
 #include "check/checked_trace.h"
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
@@ -38,13 +37,15 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     TraceWriter writer(header, write, options.most_events);
     running = &writer;
     const bool whole = options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
-    if (!whole) {
-        progress.clear();
-        std::cerr << options.output << ": partial: stopped after " << counted(writer.events(), "event", "events")
-                  << " (--max-events)\n";
-    }
+    progress.clear();
     file.commit();
-    return whole ? 0 : 1;
+    Losses losses;
+    losses.add(options.scene, writer.losses());
+    if (!whole) {
+        const std::string events = counted(writer.events(), "event", "events");
+        losses.add(options.output, {{"partial: stopped after " + events + " (--max-events)", {}}});
+    }
+    return losses.told();
 }
 
 int trace_scene(const TraceOptions& options, const AdmittedScene& given) {
@@ -78,10 +79,11 @@ void add_trace(CLI::App& program, int& status) {
     command.add_flag("--check", options->check,
                      "Write the exact answer beside each decision, and mark wrong decisions");
     command.add_option("--max-events", options->most_events, "Stop after this many events, and keep them")
-        ->check(CLI::NonNegativeNumber);
+        ->check(a_count());
     command.add_option("-o", options->output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
     command.footer(
         "Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz\n"
+        "Exit status 1: the run lost something, or --max-events ended it; standard error says what and where.\n"
         "A scene written by hand (greater z is nearer; names, colours and the window have defaults):\n" +
         std::string(example_scene));
     command.callback([options, &status] { status = trace(*options); });

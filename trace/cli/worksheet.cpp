@@ -4,6 +4,7 @@
 
 #include "choice/method.h"
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
@@ -96,7 +97,9 @@ int moodle_questions(const WorksheetOptions& options) {
     while (reader.next()) {
     }
     write_file(options.output, asked_about(trace, options));
-    return is_whole(reader) ? 0 : 1;
+    Losses losses;
+    losses.add(reader);
+    return losses.told();
 }
 
 /// Runs a scene of the options and hands on what is worked by hand.

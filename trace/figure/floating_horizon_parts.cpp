@@ -1,5 +1,7 @@
 #include "floating_horizon_parts.h"
 
+#include <cmath>
+
 #include "notation.h"
 #include "table.h"
 
@@ -96,6 +98,21 @@ Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
     Drawing drawing{plane.shown.width, plane.shown.height};
     add_lines(drawing, joined(lines, plane), {ink, 0.5}, plane);
     return drawing;
+}
+
+std::vector<Loss> cut_curves(const DrawnLines& lines, const Plane& plane) {
+    const auto is_shown = [&](const LineEnd<Value>& end) {
+        const double y = place_of(end.point, plane).y;
+        return !std::isfinite(y) || (plane.shown.y <= y && y <= plane.shown.bottom());
+    };
+    std::vector<Loss> losses;
+    int last = -1;
+    for (const auto& line : lines) {
+        if (line.segment.curve == last || (is_shown(line.from) && is_shown(line.to))) continue;
+        last = line.segment.curve;
+        losses.push_back({"its part above or below the area is cut off", "curve " + std::to_string(last)});
+    }
+    return losses;
 }
 
 void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, double width) {

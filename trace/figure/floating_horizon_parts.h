@@ -1,13 +1,20 @@
 /// The parts of a figure of a run of curves.
 #pragma once
 
+#include <vector>
+
 #include "floating_horizon_moment.h"
+#include "loss.h"
 #include "parts.h"
+#include "plane.h"
 
 namespace vidno::figures {
 
 /// The visible lines alone, as wide as a column of a journal.
 Drawing drawn_lines(const DrawnLines& lines, const Area& area);
+
+/// The curves that the visible part of the plane, as in `drawn_lines` or in a figure, does not show whole.
+std::vector<Loss> cut_curves(const DrawnLines& lines, const Plane& plane);
 
 // The layers on the plane of the scene, from bottom to top.
 

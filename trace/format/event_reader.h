@@ -27,6 +27,8 @@ public:
     /// The next event, valid until another is read; none for the last line of the trace. Throws Refused with the path in the line and the
     /// reason.
     std::optional<EventView> next(std::string_view line);
+    /// Counts events that are not read.
+    void skip(std::uint64_t events) { events_ += events; }
     /// An event that `next` has read before.
     EventView again(std::string_view line);
 

@@ -21,6 +21,8 @@ public:
     /// Appends the event as one line, newline included.
     void line(Text& out, const EventView& event);
 
+    const PolygonNames& names() const { return names_; }
+
 private:
     PolygonNames names_;
     RememberedShortest shortest_;

@@ -8,6 +8,7 @@
 
 #include "format/event_reader.h"
 #include "format/floating_horizon_trace.h"
+#include "format/run_losses.h"
 #include "format/trace_writer.h"
 #include "output.h"
 
@@ -27,11 +28,20 @@ public:
     /// an event.
     std::optional<EventView> next();
 
+    /// Passes over the rest of the file without reading its events, up to the last line.
+    void skip_rest();
+
     /// After the last event: the contents of the last line, none if the file was cut short.
     const std::optional<TraceEnd>& end() const { return reader_->end(); }
 
     std::uint64_t events() const { return reader_->events(); }
 
+    /// What the run has lost, as the events that were read tell it.
+    std::vector<Loss> losses() const { return losses_->all(names_); }
+    /// What the file lacks, after the last event: it may be cut short, or hold only a part of a run.
+    std::optional<Loss> lacks() const;
+
+    const std::string& file() const { return file_; }
     /// `file:line` for the line that was read last.
     std::string place() const { return file_ + ":" + std::to_string(line_number_); }
 
@@ -48,6 +58,8 @@ private:
     std::string line_;
     std::unique_ptr<nlohmann::json> first_line_;  // until the header is read
     std::unique_ptr<EventReader> reader_;         // once the header is read
+    PolygonNames names_;                          // and so are these
+    std::optional<RunLosses> losses_;
     std::uint64_t line_number_ = 1;
 };
 

@@ -28,9 +28,9 @@ std::string hash_text(std::string_view bytes) {
 
 std::string picture_hash(const Picture& picture) { return hash_text(rgb_rows(picture)); }
 
-TraceWriter::TraceWriter(std::string_view first_line, PolygonNames names, Write write, std::uint64_t most_events,
-                         LineIndex* index)
-    : lines_(std::move(names)), write_(std::move(write)), most_events_(most_events), index_(index) {
+TraceWriter::TraceWriter(std::string_view first_line, PolygonNames names, std::string_view kernel, Write write,
+                         std::uint64_t most_events, LineIndex* index)
+    : lines_(std::move(names)), losses_(kernel), write_(std::move(write)), most_events_(most_events), index_(index) {
     text_ += first_line;
 }
 
@@ -42,6 +42,7 @@ void TraceWriter::hear(const EventView& event) {
         index_->names.push_back(std::uint8_t(event.place()));
     }
     lines_.line(text_, event);
+    losses_.hear(event);
     if (text_.size() > block) flush();
 }
 

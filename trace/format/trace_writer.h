@@ -7,6 +7,7 @@
 #include "choice/edition.h"
 #include "format/event_sink.h"
 #include "format/event_text.h"
+#include "format/run_losses.h"
 #include "vidno/picture.h"
 
 namespace vidno {
@@ -46,7 +47,8 @@ public:
     /// The header belongs to a run of any kind. The index, if given, is for a text of less than 2^32 bytes.
     template <class Header = TraceHeader>
     TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
-        : TraceWriter(header_json(header), polygon_names(header.scene), std::move(write), most_events, index) {}
+        : TraceWriter(header_json(header), polygon_names(header.scene), header.kernel, std::move(write), most_events,
+                      index) {}
 
     /// Throws EventLimitReached instead of writing more events than the limit.
     void hear(const EventView& event) override;
@@ -58,17 +60,21 @@ public:
 
     std::uint64_t events() const { return events_; }
 
+    /// What the run has lost so far.
+    std::vector<Loss> losses() const { return losses_.all(lines_.names()); }
+
 private:
     static constexpr std::size_t block = std::size_t{1} << 16;
 
-    TraceWriter(std::string_view first_line, PolygonNames names, Write write, std::uint64_t most_events,
-                LineIndex* index);
+    TraceWriter(std::string_view first_line, PolygonNames names, std::string_view kernel, Write write,
+                std::uint64_t most_events, LineIndex* index);
 
     void mark_line() { index_->starts.push_back(std::uint32_t(written_ + text_.size())); }
     void finish_with(std::string_view rest);
     void flush();
 
     EventText lines_;
+    RunLosses losses_;
     Write write_;
     std::uint64_t most_events_;
     LineIndex* index_;

@@ -1,5 +1,7 @@
 #include "run/floating_horizon_run.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "run/untraced.h"
@@ -21,6 +23,20 @@ DrawnLines run(const FloatingHorizonRequest& request) {
     }
     if (request.sink) return told_floating_horizon(request);
     return is_compiled_untraced(request.edition) ? untraced_run(request) : told_to_nobody(request);
+}
+
+std::vector<Loss> losses_of(FloatingHorizonRequest request, const DrawnLines& lines) {
+    const auto is_finite = [](const LineEnd<Value>& end) {
+        return std::isfinite(number_of(end.point.x)) && std::isfinite(number_of(end.point.y));
+    };
+    const auto is_whole = [&](const auto& line) { return is_finite(line.from) && is_finite(line.to); };
+    if (std::all_of(lines.begin(), lines.end(), is_whole)) return {};
+    RunLosses losses(request.kernel.name());
+    HeardBy sink([&](const EventView& event) { losses.hear(event); });
+    request.detail = Detail::signs;
+    request.sink = &sink;
+    told_floating_horizon(request);
+    return losses.all({});
 }
 
 ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene) {

@@ -18,6 +18,9 @@ struct FloatingHorizonRequest {
 /// Throws whatever the sink throws; a writer throws EventLimitReached.
 DrawnLines run(const FloatingHorizonRequest& request);
 
+/// What the run of the request loses (see RunLosses), if it draws these lines. Steps are counted at level `signs`.
+std::vector<Loss> losses_of(FloatingHorizonRequest request, const DrawnLines& lines);
+
 /// For each curve, the columns over which it is drawn.
 using ColumnsDrawn = std::vector<std::vector<bool>>;
 ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);

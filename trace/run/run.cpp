@@ -7,12 +7,28 @@
 namespace vidno {
 
 Picture told_to_nobody(RunRequest request) {
-    HeardBy sink([progress = request.progress](const EventView& event) {
-        if (event.get_if<event::Pop>() || event.get_if<event::Polygon>() || event.get_if<event::PopList>()) progress();
+    RunLosses losses(request.kernel.name());
+    HeardBy sink([&](const EventView& event) {
+        if (event.get_if<event::Pop>() || event.get_if<event::Polygon>() || event.get_if<event::PopList>()) {
+            request.progress();
+        }
+        if (request.loses) losses.hear(event);
     });
-    request.detail = Detail::windows;
+    request.detail = request.loses ? Detail::polygons : Detail::windows;  // planes from level polygons on
     request.sink = &sink;
-    return told_run(request);
+    const Picture picture = told_run(request);
+    if (request.loses) *request.loses = losses.any();
+    return picture;
+}
+
+std::vector<Loss> losses_of(RunRequest request) {
+    RunLosses losses(request.kernel.name());
+    HeardBy sink([&](const EventView& event) { losses.hear(event); });
+    request.detail = Detail::signs;
+    request.sink = &sink;
+    request.regions = nullptr;
+    told_run(request);
+    return losses.all(polygon_names(request.scene));
 }
 
 Picture run(const RunRequest& request) {

@@ -6,6 +6,7 @@
 
 #include "choice/kernel_choice.h"
 #include "format/trace_writer.h"
+#include "loss.h"
 #include "run/followers.h"
 #include "vidno/admitted.h"
 
@@ -32,7 +33,12 @@ struct RunRequest {
     std::function<void()> progress = [] {};
     /// Receives the regions of Weiler and Atherton's algorithm, if not null.
     std::vector<ShownRegion>* regions = nullptr;
+    /// Becomes true, if not null, if a run without a trace loses something; `losses_of` says what.
+    bool* loses = nullptr;
 };
+
+/// What the run of the request loses (see RunLosses). Steps are counted at level `signs`. It runs once more, with a trace.
+std::vector<Loss> losses_of(RunRequest request);
 
 /// Throws whatever the sink throws; a writer throws EventLimitReached.
 Picture run(const RunRequest& request);

@@ -1,6 +1,8 @@
 /// The template that the units for runs without a trace instantiate: Untraced, once `KernelOf` makes their kernel.
 #pragma once
 
+#include <cmath>
+
 #include "run/floating_horizon_lines.h"
 #include "run/untraced.h"
 #include "run/weiler_atherton_run.h"
@@ -15,15 +17,37 @@ namespace vidno {
 template <KernelKind kind>
 struct KernelOf;
 
-/// The visitor of a run without a trace: it reports progress at each window, polygon, list or curve.
+/// The visitor of a run without a trace: it reports progress at each window, polygon, list or curve, and whether something is lost.
 struct Pacer : NoTrace {
     const std::function<void()>& progress;
+    bool* loses = nullptr;  // none: nobody asks
+    bool is_always_right = false;
+
+    void fault(Line, std::string_view) { lose(); }
+    void fault(Line, std::string_view, int, int) { lose(); }
+    void plane(Line, const auto&, const auto& plane) {
+        if constexpr (requires { double(plane.c); }) {
+            if (is_always_right) return;
+            for (const double number : {double(plane.a), double(plane.b), double(plane.c), double(plane.d)}) {
+                if (!std::isfinite(number)) lose();
+            }
+        }
+    }
 
     void pop(Line, const auto&) { progress(); }
     void polygon(Line, const auto&) { progress(); }
     void pop_list(Line, const auto& /*pieces*/) { progress(); }
     void curve(Line, int /*curve*/) { progress(); }
+
+private:
+    void lose() {
+        if (loses) *loses = true;
+    }
 };
+
+inline Pacer pacer_of(const RunRequest& request) {
+    return {{}, request.progress, request.loses, request.kernel.is_always_right()};
+}
 
 template <KernelKind kind>
 using UntracedKernel = decltype(KernelOf<kind>::made(0));
@@ -35,7 +59,7 @@ UntracedKernel<kind> kernel_for(const auto& request) {
 
 template <class Set, Kernel K>
 Picture untraced_set(const RunRequest& request, const K& kernel) {
-    return render<Set>(request.method, request.scene, kernel, Pacer{{}, request.progress}, request.smallest_window);
+    return render<Set>(request.method, request.scene, kernel, pacer_of(request), request.smallest_window);
 }
 
 template <KernelKind kind>
@@ -55,7 +79,7 @@ Picture Untraced<kind>::family(const RunRequest& request) {
 
 template <KernelKind kind>
 Picture Untraced<kind>::weiler_atherton(const RunRequest& request) {
-    return weiler_atherton_run(request, kernel_for<kind>(request), Pacer{{}, request.progress});
+    return weiler_atherton_run(request, kernel_for<kind>(request), pacer_of(request));
 }
 
 template <KernelKind kind>

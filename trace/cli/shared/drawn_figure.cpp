@@ -1,6 +1,7 @@
 #include "cli/shared/drawn_figure.h"
 
 #include <filesystem>
+#include <iostream>
 
 #include "chart/chart.h"
 #include "check/seen_failure.h"
@@ -12,6 +13,7 @@
 #include "figure/encoded.h"
 #include "figure/figure.h"
 #include "figure/figure_words.h"
+#include "figure/floating_horizon_parts.h"
 #include "figure/map_figure.h"
 #include "figure/titles.h"
 #include "format/trace_reader.h"
@@ -124,7 +126,7 @@ figures::Style style_of(const FigureOptions& options) {
 
 /// Reads a trace and draws the requested steps on the way; without steps, the last one. Calls back for each event.
 void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>& steps, const std::string& file,
-                auto&& draw, auto&& hear) {
+                Losses& losses, auto&& draw, auto&& hear) {
     std::size_t next = 0;
     const auto draw_if_wanted = [&] {
         if (next == steps.size() || moment.state().step() != steps[next]) return;
@@ -139,6 +141,7 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
     }
     if (steps.empty()) draw();
     if (next < steps.size()) refuse_step(file, steps[next], moment.state().step());
+    losses.add(trace);
 }
 
 /// The history of the chosen pixel, if it is shown.
@@ -153,7 +156,7 @@ std::optional<figures::PixelHistory> history_in(const FigureOptions& options, co
 }
 
 figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
-                      const FigureOptions& options) {
+                      const FigureOptions& options, Losses& losses) {
     auto history = history_in(options, drawing, reader.header().scene.area);
     figures::Figure figure(drawing);
     figures::Moment moment(reader.header());
@@ -161,17 +164,21 @@ figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& ste
     const auto hear = [&] {
         if (history) history->take(moment);
     };
-    go_through(reader, moment, steps, options.input, draw, hear);
+    go_through(reader, moment, steps, options.input, losses, draw, hear);
     return figure;
 }
 
 figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std::uint64_t>& steps,
-                      const figures::Options& drawing, const FigureOptions& options) {
+                      const figures::Options& drawing, const FigureOptions& options, Losses& losses) {
     if (!options.pixel.empty()) refuse("--pixel", "a run of curves paints no pixels");
     figures::Figure figure(drawing);
     figures::FloatingHorizonMoment moment(reader.header());
     go_through(
-        reader, moment, steps, options.input, [&] { figure.add(moment); }, [] {});
+        reader, moment, steps, options.input, losses, [&] { figure.add(moment); }, [] {});
+    if (drawing.shows(figures::Part::picture)) {
+        const figures::Plane plane = figures::plane_in(moment.scene().area, column_width, column_width);
+        losses.add(options.input, figures::cut_curves(moment.state().values().lines, plane));
+    }
     return figure;
 }
 
@@ -279,7 +286,15 @@ std::string film(const std::vector<figures::Drawing>& frames, const About& about
     return output_of(command, pictures);
 }
 
-std::string drawn_trace(const FigureOptions& options) {
+/// Says which engine typesets a .tex file, if it is not the usual one.
+void say_engine(const std::string& output, const std::vector<figures::Drawing>& panels) {
+    const std::string beyond = figures::beyond_pdflatex(panels);
+    if (beyond.empty()) return;
+    std::cerr << output << ": typeset it with LuaLaTeX or XeLaTeX and a font that has " << beyond
+              << ": pdfLaTeX lacks these characters\n";
+}
+
+std::string drawn_trace(const FigureOptions& options, Losses& losses) {
     if (options.film) expect_film(options);
     if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "writes only .tex files");
     auto [lines, steps, name] = told_steps(options);
@@ -298,8 +313,9 @@ std::string drawn_trace(const FigureOptions& options) {
     AnyTraceReader opened = open_trace(std::move(lines), options.input);
     const auto draw = [&, &steps = steps, &name = name](auto& reader) {
         const About about{title_of(reader.header(), steps, name, drawing.style.language), drawing.style.language};
-        const figures::Figure figure = drawn(reader, steps, drawing, options);
+        const figures::Figure figure = drawn(reader, steps, drawing, options, losses);
         if (options.film) return film(figure.panels(), about, options);
+        if (drawing.style.letters == figures::letters_of_tex) say_engine(options.output, figure.panels());
         if (options.beamer) return beamer_of(figure.panels(), about);
         return encoded(figure.strip(), about, options.output, options.dots_an_inch);
     };
@@ -409,11 +425,12 @@ FigureOptions figure_options(const std::string& command) {
     return options;
 }
 
-std::string drawn_figure(const FigureOptions& options) {
+std::string drawn_figure(const FigureOptions& options, Losses& losses) {
     if (!options.film) format_of(options.output);
-    if (!options.input.ends_with(".json")) return drawn_trace(options);
+    expect_no_mesh(options.input);
+    if (!options.input.ends_with(".json")) return drawn_trace(options, losses);
     const std::string text = read_file(options.input);
-    if (is_failure(text)) return drawn_trace(options);
+    if (is_failure(text)) return drawn_trace(options, losses);
     if (is_surface(text))
         throw Refused(options.input + ": a surface; vidno render draws surfaces, and vidno figure draws their traces");
     const bool is_chart = are_of_one_kind(document_format(text), chart_format);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/shared/chart_axes.h"
+#include "cli/shared/losses.h"
 
 namespace vidno::cli {
 
@@ -28,7 +29,7 @@ void add_figure_options(CLI::App& command, FigureOptions& options);
 /// Parses a command as for the shell, "vidno figure ...". Throws Refused.
 FigureOptions figure_options(const std::string& command);
 
-/// The bytes of the figure, in the format given by the output's name.
-std::string drawn_figure(const FigureOptions& options);
+/// The bytes of the figure, in the format given by the output's name. Adds what it lacks to the losses.
+std::string drawn_figure(const FigureOptions& options, Losses& losses);
 
 }  // namespace vidno::cli

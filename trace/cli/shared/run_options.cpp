@@ -17,6 +17,15 @@ CLI::Validator a_kernel() {
         kernel_names());
 }
 
+CLI::Validator a_count() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const bool is_count = text.find_first_not_of("0123456789") == text.npos;
+            return is_count ? "" : text + " is not a whole number from 0";
+        },
+        "");
+}
+
 CLI::Validator an_edition() {
     return CLI::Validator(
         [](const std::string& name) {

@@ -31,6 +31,8 @@ std::vector<std::string> all_methods();
 
 CLI::Validator a_kernel();
 CLI::Validator an_edition();
+/// CLI11's check of a range would print its bounds, of hundreds of digits.
+CLI::Validator a_count();
 
 /// Adds the scene and all options of its run except the detail. `scene` and `method` are their help texts.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& scene, const std::string& method,

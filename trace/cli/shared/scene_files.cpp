@@ -1,10 +1,13 @@
 #include "cli/shared/scene_files.h"
 
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 
 #include "check/seen_failure.h"
 #include "choice/method.h"
 #include "cli/shared/progress.h"
+#include "import/mesh_soup.h"
 #include "json/json_node.h"
 #include "output.h"
 #include "scene/failure.h"
@@ -34,6 +37,7 @@ void describe(const Failure& failure, const std::string& file) {
 }
 
 Read read(std::string_view text, const std::string& file) {
+    expect_no_mesh(file);
     if (is_surface(text)) return {read_surface(text, file), {}};
     if (is_failure(text)) {
         Failure failure = read_failure(text, file);
@@ -55,6 +59,14 @@ bool are_of(const RunOptions& options, const NamedRun& run) {
 }
 
 }  // namespace
+
+void expect_no_mesh(const std::string& file) {
+    std::string ending = file.substr(file.rfind('.') + 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const auto is_this = [&](const MeshFormat& format) { return format.ending == ending; };
+    if (std::none_of(mesh_formats.begin(), mesh_formats.end(), is_this)) return;
+    throw Refused(file + ": a mesh: make a scene of it first: vidno import " + file + " -o scene.json");
+}
 
 void say(const Failure& failure, const std::string& file) {
     std::cerr << file << ": " << failure.title.english << '\n'

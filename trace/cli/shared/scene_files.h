@@ -19,6 +19,9 @@ AnyScene any_scene_from(const std::string& file);
 /// error says where the failure is seen.
 AnyScene any_scene_for(RunOptions& options, bool says_step = false);
 
+/// Refuses a mesh, by the name of its file: `vidno import` makes a scene of it.
+void expect_no_mesh(const std::string& file);
+
 /// Describes a failure on standard error, without its step. Refuses one that has no scene.
 void say(const Failure& failure, const std::string& file);
 

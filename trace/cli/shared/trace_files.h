@@ -12,9 +12,6 @@ namespace vidno::cli {
 /// Whether a file is a trace, by its name.
 inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
 
-/// After the last event: whether the trace covers the whole run. If not, standard error says so.
-bool is_whole(const TraceFile& trace);
-
 /// Passes the next event of the trace to `take`; false at the end. Throws Refused, with line and step, for an event that cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
     const auto event = trace.next();

@@ -1,0 +1,37 @@
+#include "cli/shared/losses.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "counted.h"
+
+namespace vidno::cli {
+
+namespace {
+
+constexpr std::size_t most_told = 40;  // of a file
+
+}  // namespace
+
+void Losses::add(const std::string& file, const std::vector<Loss>& losses) {
+    for (std::size_t i = 0; i < std::min(losses.size(), most_told); ++i) {
+        const auto& [what, where] = losses[i];
+        messages_.push_back(file + ": " + where + (where.empty() ? "" : ": ") + what);
+    }
+    if (losses.size() <= most_told) return;
+    messages_.push_back(file + ": " + counted(losses.size() - most_told, "more loss", "more losses"));
+}
+
+void Losses::add(TraceFile& trace) {
+    const std::vector<Loss> of_run = trace.losses();
+    trace.skip_rest();
+    add(trace.file(), of_run);
+    if (const auto lack = trace.lacks()) add(trace.place(), {*lack});
+}
+
+int Losses::told() const {
+    for (const auto& message : messages_) std::cerr << message << '\n';
+    return any() ? 1 : 0;
+}
+
+}  // namespace vidno::cli
