@@ -128,15 +128,15 @@ TEST_CASE("A run that a signal ends leaves no unfinished file, and ends by the s
     const Workplace work;
     std::string polygons;
     for (int i = 0; i < 3000; ++i) {
-        const std::string x = std::to_string(i % 50 * 10), y = std::to_string(i / 50 * 8),
-                          z = std::to_string(i % 7 / 10.);
-        polygons += std::string(i > 0 ? "," : "") + "{\"vertices\":[[" + x + "," + y + "," + z + "],[" + x + "9," + y +
-                    "," + z + "],[" + x + "," + y + "7," + z + "]]}";
+        const auto text = [](int number) { return std::to_string(number); };
+        const int x = i % 50 * 10, y = i / 50 * 8;
+        polygons += std::string(i > 0 ? "," : "") + "{\"vertices\":[[" + text(x) + "," + text(y) + ",0],[" +
+                    text(x + 400) + "," + text(y) + ",0],[" + text(x) + "," + text(y + 300) + ",0]]}";
     }
     const std::string scene = work.write(
         "scene.json", R"({"window":{"x":0,"y":0,"width":2048,"height":2048},"polygons":[)" + polygons + "]}");
     const std::string wait_and_stop =
-        "until ls " + work.file("run.jsonl") + ".part-* >/dev/null 2>&1; do :; done; kill -";
+        "while kill -0 $pid && ! ls " + work.file("run.jsonl") + ".part-* >/dev/null 2>&1; do :; done; kill -";
     for (const int signal :
          {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGVTALRM, SIGPROF}) {
         CAPTURE(signal);

@@ -19,7 +19,7 @@ Drawing labelled(const std::string& text) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-struct Case {
+struct Lettered {
     std::string label;
     Language language;
     std::string fonts, beyond;
@@ -31,19 +31,19 @@ TEST_CASE("A .tex figure loads the encodings of its letters, whatever its langua
     constexpr auto english = Language::english, russian = Language::russian;
     const std::string t1 = "[T1]{fontenc}", t2a = "[T2A]{fontenc}", both = "[T1,T2A]{fontenc}", other = "{fontspec}";
     for (const auto& [label, language, fonts, beyond] : {
-             Case{"A, z = 1/2", english, t1, ""},
-             Case{"Łódź", english, t1, ""},
-             Case{"σ ≤ ∞ · →", english, t1, ""},
-             Case{"Куб", english, both, ""},
-             Case{"Куб", russian, t2a, ""},
-             Case{"A", russian, t2a, ""},
-             Case{"Đà", russian, both, ""},
-             Case{"Їжак и Łódź", english, both, ""},
-             Case{"立方体", english, other, "立方体"},
-             Case{"立方体", russian, other, "立方体"},
-             Case{"αβα", english, other, "αβ"},
-             Case{"🙂", english, other, "🙂"},
-             Case{"שלום", russian, other, "שלום"},
+             Lettered{"A, z = 1/2", english, t1, ""},
+             Lettered{"Łódź", english, t1, ""},
+             Lettered{"σ ≤ ∞ · →", english, t1, ""},
+             Lettered{"Куб", english, both, ""},
+             Lettered{"Куб", russian, t2a, ""},
+             Lettered{"A", russian, t2a, ""},
+             Lettered{"Đà", russian, both, ""},
+             Lettered{"Їжак и Łódź", english, both, ""},
+             Lettered{"立方体", english, other, "立方体"},
+             Lettered{"立方体", russian, other, "立方体"},
+             Lettered{"αβα", english, other, "αβ"},
+             Lettered{"🙂", english, other, "🙂"},
+             Lettered{"שלום", russian, other, "שלום"},
          }) {
         CAPTURE(label);
         const Drawing drawing = labelled(label);

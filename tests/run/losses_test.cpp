@@ -95,13 +95,15 @@ TEST_CASE("Random and degenerate scenes: regions whose areas add up to another s
         const AdmittedScene scene = random_scene(families[std::size_t(trial) % families.size()], random);
         const RunRequest exact{Method::weiler_atherton, kernel_of(KernelKind::exact), Edition::corrected, scene};
         const double right = shown_area(exact);
-        for (const char* name : rounding) {
+        for (const std::string name : rounding) {
             CAPTURE(name);
             CAPTURE(trial);
+            CAPTURE(right);
             RunRequest request{Method::weiler_atherton, *kernel_named(name), Edition::corrected, scene};
             bool loses = false;
             request.loses = &loses;
             const double area = shown_area(request);
+            CAPTURE(area);
             if (!(std::abs(area - right) <= tolerance(request.kernel))) {
                 ++lost;
                 CHECK(loses);

@@ -1,5 +1,6 @@
 #include "format/run_losses.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "choice/kernel_choice.h"
@@ -23,6 +24,12 @@ bool is_of_one_polygon(Line at) {
 }
 
 bool is_finite(const Value& value) { return value.fraction || std::isfinite(value.number); }
+
+bool is_finite(const RegionLoops& region) {
+    const auto is_point = [](const ValuePoint& point) { return is_finite(point.x) && is_finite(point.y); };
+    return std::all_of(region.begin(), region.end(),
+                       [&](const auto& loop) { return std::all_of(loop.begin(), loop.end(), is_point); });
+}
 
 std::string consequence_of(const event::Fault& fault) {
     if (fault.x) return ", so the write is skipped";
@@ -81,6 +88,14 @@ void RunLosses::hear(const EventView& event) {
             settled_ = found_.size();
             break;
         }
+    }
+    if (const auto* shown = event.get_if<event::Show>(); shown && !is_finite(shown->region)) {
+        add({steps_,
+             shown->at,
+             "a corner of its region leaves the range of the numbers, so a part is not decided",
+             {shown->polygon},
+             {}});
+        settled_ = found_.size();
     }
     if (const auto* line = event.get_if<event::DrawLine>()) {
         if (is_finite(line->from.x) && is_finite(line->from.y) && is_finite(line->to.x) && is_finite(line->to.y))

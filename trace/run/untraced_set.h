@@ -26,14 +26,16 @@ struct Pacer : NoTrace {
     void fault(Line, std::string_view) { lose(); }
     void fault(Line, std::string_view, int, int) { lose(); }
     void plane(Line, const auto&, const auto& plane) {
-        if constexpr (requires { double(plane.c); }) {
-            if (is_always_right) return;
-            for (const double number : {double(plane.a), double(plane.b), double(plane.c), double(plane.d)}) {
-                if (!std::isfinite(number)) lose();
+        for (const auto& number : {plane.a, plane.b, plane.c, plane.d}) expect_finite(number);
+    }
+    void show_region(Line, const auto&, const auto& region) {
+        for (const auto& loop : region.loops) {
+            for (const auto& vertex : loop) {
+                expect_finite(vertex.at.x);
+                expect_finite(vertex.at.y);
             }
         }
     }
-
     void pop(Line, const auto&) { progress(); }
     void polygon(Line, const auto&) { progress(); }
     void pop_list(Line, const auto& /*pieces*/) { progress(); }
@@ -42,6 +44,11 @@ struct Pacer : NoTrace {
 private:
     void lose() {
         if (loses) *loses = true;
+    }
+    void expect_finite(const auto& number) {
+        if constexpr (requires { double(number); }) {
+            if (!is_always_right && !std::isfinite(double(number))) lose();
+        }
     }
 };
 

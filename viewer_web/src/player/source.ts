@@ -9,7 +9,7 @@ import type { Notice } from '../run/notice.js';
 /** An element that shows the trace named by `src`. */
 export interface Sourced extends ReactiveControllerHost {
   readonly src: string;
-  readonly step: number;
+  step: number;
   trace: Trace | null;
   length: number;
 }
@@ -77,7 +77,6 @@ export class Source implements ReactiveController {
 
   private go(step: number): void {
     this.host.step = step;
-    this.host.requestUpdate();
   }
 
   /** Stops reading and keeps the steps read so far. */

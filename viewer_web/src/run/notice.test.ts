@@ -3,10 +3,11 @@ import { texts } from '../i18n/index.js';
 import { languages } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
 import { noticeOf } from './notice.js';
 
 /** A trace that was read whole, with events of these names. */
-const traceOf = (...names: readonly string[]): Trace =>
+const traceOf = (...names: readonly EventName[]): Trace =>
   ({
     complete: true,
     shortened: null,
