@@ -106,7 +106,8 @@ TEST_CASE("Atlas: render paints the pixel of each entry otherwise than the remed
         const auto& told = entry.told;
         if (!told["shows"].contains("pixel")) continue;
         CAPTURE(file);
-        REQUIRE(program("render " + file + " -o " + work.file("fails.ppm")).status == 0);
+        REQUIRE_MESSAGE(program("render " + file + " -o " + work.file("fails.ppm")).status <= 1,
+                        "it may lose something");
         REQUIRE(program("render " + file + options_of(told["holds"]) + " -o " + work.file("holds.ppm")).status == 0);
         const auto pixel = [&](const std::string& picture) {
             const json& at = told["shows"]["pixel"];
