@@ -43,9 +43,9 @@ must(${VIDNO} figure clip.jsonl --steps 80..84 --beamer ${all} -o slide.tex)
 typeset(slide 5 "step 84")
 
 # Names in another script than the figure's language: each character of the font encodings, and one that pdfLaTeX lacks.
-file(WRITE ${WORK}/names.json [[{"window": {"x": 0, "y": 0, "width": 4, "height": 4}, "polygons": [
+file(WRITE ${WORK}/names.json [==[{"window": {"x": 0, "y": 0, "width": 4, "height": 4}, "polygons": [
     {"id": "Щука", "vertices": [[0, 0, 0], [4, 0, 0], [4, 4, 0]]},
-    {"id": "Łódź Đà ‚þ‘", "vertices": [[0, 0, 0.5], [2, 0, 0.5], [0, 2, 0.5]]}]}]])
+    {"id": "Łódź Đà ‚þ‘", "vertices": [[0, 0, 0.5], [2, 0, 0.5], [0, 2, 0.5]]}]}]==])
 must(${VIDNO} trace names.json -o names.jsonl)
 foreach(language IN ITEMS en ru)
     must(${VIDNO} figure names.jsonl --step 9 --show picture,list --language ${language} -o names-${language}.tex)
