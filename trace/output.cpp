@@ -28,7 +28,8 @@ namespace {
 
 /// The reason may have been lost: a full device is noticed when a buffer is written, which may be long before.
 [[noreturn]] void lose(const std::string& name) {
-    throw OutputLost((name == "-" ? "standard output" : name) + ": cannot write" + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+    throw OutputLost((name == "-" ? "standard output" : name) + ": cannot write" +
+                     (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
 }
 
 }  // namespace

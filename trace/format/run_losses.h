@@ -47,7 +47,7 @@ private:
     std::uint64_t steps_ = 0;
     std::vector<Found> found_;
     std::uint64_t more_ = 0;
-    std::size_t settled_ = 0;  // the number of losses whose polygon is settled
+    std::size_t settled_ = 0;            // the number of losses whose polygon is settled
     std::vector<PolygonPlace> at_hand_;  // the polygon that is scanned, or in which a point is sought
     int curve_ = 0;                      // the current one
     std::vector<PolygonPlace> pierced_;  // the two that pierce each other
