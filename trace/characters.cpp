@@ -1,7 +1,10 @@
 #include "characters.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+
+#include "refused.h"
 
 namespace vidno {
 
@@ -30,6 +33,17 @@ bool controls(char32_t c) {
            (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff || (c >= 0xe0000 && c < 0xe0080);
 }
 
+/// Whether the bytes, begin with ASCII text in units of this size: a character and zeros, or zeros and a character.
+bool is_wide_text(std::string_view bytes, std::size_t unit, std::size_t character) {
+    if (bytes.size() < 2 * unit) return false;
+    for (std::size_t i = 0; i < 2 * unit; ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[i]);
+        const bool is_character = byte == '\t' || byte == '\n' || byte == '\r' || (byte >= 0x20 && byte < 0x7f);
+        if (i % unit == character ? !is_character : byte != 0) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::string escaped_for_terminal(std::string_view text, std::string_view kept) {
@@ -54,6 +68,19 @@ std::string escaped_for_terminal(std::string_view text, std::string_view kept) {
         text.remove_prefix(length == 0 ? 1 : length);
     }
     return shown;
+}
+
+std::string_view without_mark(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\xef\xbb\xbf"sv)) return bytes.substr(3);
+    for (const std::size_t unit : {4, 2}) {
+        const std::string_view little = "\xff\xfe\0\0"sv.substr(0, unit), big = "\0\0\xfe\xff"sv.substr(4 - unit);
+        const std::string_view text = bytes.substr(bytes.starts_with(little) || bytes.starts_with(big) ? unit : 0);
+        if (is_wide_text(text, unit, 0) || is_wide_text(text, unit, unit - 1)) {
+            throw Refused("text in UTF-" + std::to_string(8 * unit) + "; save it as UTF-8");
+        }
+    }
+    return bytes;
 }
 
 std::u32string characters_of(std::string_view text) {

@@ -9,6 +9,10 @@ namespace vidno {
 std::u32string characters_of(std::string_view text);
 std::string utf8(char32_t character);
 
+/// The contents of a file without the byte order mark of UTF-8. Bytes that are no text are left as they are. Throws Refused for text in
+/// UTF-16 or UTF-32, with or without a mark.
+std::string_view without_mark(std::string_view bytes);
+
 /// Text for XML, without the characters that XML cannot represent.
 std::string escaped_for_xml(std::string_view text);
 

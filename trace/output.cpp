@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "characters.h"
+
 namespace vidno {
 
 namespace {
@@ -30,6 +32,14 @@ namespace {
 [[noreturn]] void lose(const std::string& name) {
     throw OutputLost((name == "-" ? "standard output" : name) + ": cannot write" +
                      (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+}
+
+std::size_t size_of_mark(std::string_view bytes, const std::string& name) {
+    try {
+        return bytes.size() - without_mark(bytes).size();
+    } catch (const Refused& refused) {
+        throw Refused(name + ": " + refused.what());
+    }
 }
 
 }  // namespace
@@ -55,6 +65,12 @@ std::string read_file(const std::string& name) {
         bytes << in.rdbuf();
     }
     return std::move(bytes).str();
+}
+
+std::string read_text(const std::string& name) {
+    std::string bytes = read_file(name);
+    bytes.erase(0, size_of_mark(bytes, name));
+    return bytes;
 }
 
 namespace {
@@ -168,6 +184,7 @@ void write_file(const std::string& name, std::string_view bytes, Packing packing
 /// A file, or none for text that the buffer holds from the start.
 struct LineReader::Source {
     std::optional<PackedFile> file;
+    std::string name = "text";
 };
 
 LineReader::LineReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
@@ -178,6 +195,7 @@ LineReader::LineReader(const std::string& name) : LineReader(std::make_unique<So
     if (name != "-" && std::filesystem::is_directory(name)) throw Refused(name + ": is a directory");
     errno = 0;
     source_->file.emplace(name);
+    source_->name = name;
     if (!source_->file->is_open()) refuse(name, "cannot read");
 }
 
@@ -202,10 +220,22 @@ bool LineReader::refill() {
     return count > 0;
 }
 
+/// Passes over a byte order mark and finds how lines end.
+void LineReader::begin() {
+    std::size_t end = 0;
+    do {
+        end = buffer_.find_first_of("\r\n");
+    } while ((end == std::string::npos || end + 1 == buffer_.size()) && refill());
+    position_ = size_of_mark(buffer_, source_->name);
+    const bool is_cr_alone = end + 1 < buffer_.size() && buffer_[end] == '\r' && buffer_[end + 1] != '\n';
+    line_end_ = is_cr_alone ? '\r' : '\n';
+}
+
 bool LineReader::next(std::string& line) {
+    if (line_end_ == '\0') begin();
     std::size_t searched = position_;
     for (;;) {
-        const std::size_t end = buffer_.find('\n', searched);
+        const std::size_t end = buffer_.find(line_end_, searched);
         if (end != std::string::npos) {
             line.assign(buffer_, position_, end - position_);
             position_ = end + 1;

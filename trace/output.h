@@ -14,6 +14,9 @@ namespace vidno {
 /// The contents of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
 
+/// The same for a text: without a byte order mark, and refused in UTF-16.
+std::string read_text(const std::string& name);
+
 /// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.
 enum class Packing : unsigned char { quick, done };
 
@@ -47,7 +50,8 @@ void remove_unfinished_files() noexcept;
 /// Writes a complete output file.
 void write_file(const std::string& name, std::string_view bytes, Packing packing = Packing::quick);
 
-/// The lines of a file one by one, gzipped or not, "-" for standard input.
+/// The lines of a file one by one, gzipped or not, "-" for standard input. All lines end like the first: at LF, or at CR alone. A byte
+/// order mark is passed over; text in UTF-16 is refused.
 class LineReader {
 public:
     /// Throws Refused if the file cannot be opened.
@@ -67,11 +71,13 @@ private:
     struct Source;
 
     explicit LineReader(std::unique_ptr<Source> source);
+    void begin();
     bool refill();
 
     std::unique_ptr<Source> source_;
     std::string buffer_;
     std::size_t position_ = 0;
+    char line_end_ = '\0';  // until the first line is read
     bool cut_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include "cli/shared/progress.h"
 #include "import/mesh_soup.h"
 #include "output.h"
+#include "scene/scene_json.h"
 
 namespace vidno::cli {
 
@@ -61,13 +62,14 @@ void add_camera_options(CLI::App& command, ImportOptions& import) {
 int import_scene(const ImportedMesh& options) {
     Progress progress;
     progress.say("reading " + options.mesh);
-    const auto [scene, report] = import_mesh(read_file(options.mesh), options.mesh, options.import);
+    const auto [scene, report, losses] = import_mesh_file(options.mesh, options.import);
     progress.clear();
-    for (const auto& line : report) std::cerr << line << '\n';
+    std::cerr << report << '\n';
     OutputFile file(options.output);
     file.write(scene_json(scene) + "\n");
     file.commit();
-    return 0;
+    for (const auto& [what, where] : losses) std::cerr << options.mesh << ": " << where << ": " << what << '\n';
+    return losses.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -78,7 +80,9 @@ void add_import(CLI::App& program, int& status) {
     command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
-    command.footer("Faces that are not planar and convex are cut into polygons that are; dropped faces are reported.");
+    command.footer(
+        "Faces that are not planar and convex are cut into polygons that are. What the scene lacks, such as dropped faces, "
+        "textures and lines, is reported with its line; the exit status is then 1.");
     command.callback([options, &status] { status = import_scene(*options); });
 }
 

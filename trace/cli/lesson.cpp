@@ -65,10 +65,10 @@ int make_lesson(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
     const bool is_mesh = !options.source.ends_with(".json");
-    const AnyScene scene = is_mesh ? AnyScene(import_mesh(read_file(options.source), options.source, {}).scene)
+    const AnyScene scene = is_mesh ? AnyScene(import_mesh_file(options.source, {}).scene)
                                    : any_scene_from(options.source);
     auto files = new_lesson(scene);
-    files["scene.json"] = is_mesh ? scene_json(std::get<AdmittedScene>(scene)) + '\n' : read_file(options.source);
+    files["scene.json"] = is_mesh ? scene_json(std::get<AdmittedScene>(scene)) + '\n' : read_text(options.source);
     std::filesystem::create_directories(folder);
     for (const auto& [name, text] : files) write_file(folder / name, text);
     std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output

@@ -41,7 +41,7 @@ void print(const SignMap& map) {
 
 /// The decision of a file: a decision file, or the one at which a failure goes wrong.
 MappedDecision decision_in(const std::string& file) {
-    const std::string text = read_file(file);
+    const std::string text = read_text(file);
     if (is_surface(text)) throw Refused(file + ": a surface, not a decision to map, vidno-question/1");
     if (!is_failure(text)) return read_mapped_decision(text, file);
     const Failure failure = read_failure(text, file);

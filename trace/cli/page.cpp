@@ -47,7 +47,7 @@ PageFile failure_file(const std::string& text, const std::string& file) {
 
 /// A scene as admitted, or a surface with its samples, to be run with the defaults.
 PageFile scene_file(const std::string& file) {
-    const std::string text = read_file(file);
+    const std::string text = read_text(file);
     if (is_failure(text)) return failure_file(text, file);
     const AnyScene any = any_scene_from(file);
     const auto made = [&](const auto& scene) -> PageFile {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
@@ -10,8 +11,8 @@
 #include <vector>
 
 #include "counted.h"
-#include "import/mesh_soup.h"
 #include "json/unique_ids.h"
+#include "output.h"
 #include "refused.h"
 #include "scene/convex_parts.h"
 #include "scene/exact_scene.h"
@@ -30,7 +31,7 @@ struct Sphere {
 Sphere sphere_around(const MeshSoup& mesh) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const auto& face : mesh.faces) {
-        for (const std::size_t i : face) {
+        for (const std::size_t i : face.corners) {
             low = glm::min(low, mesh.points[i]);
             high = glm::max(high, mesh.points[i]);
         }
@@ -63,18 +64,23 @@ Color tone(const Camera& camera, const ScenePolygon& face) {
     return {std::uint8_t(std::lround(mixed.x)), std::uint8_t(std::lround(mixed.y)), std::uint8_t(std::lround(mixed.z))};
 }
 
-/// The file's name without folders and extension, as valid UTF-8.
-std::string scene_name(const std::string& file) {
-    std::string name = file.substr(file.find_last_of("/\\") + 1);
-    name = name.substr(0, name.rfind('.'));
+std::string as_utf8(const std::string& text) {
     using nlohmann::json;
-    return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+/// The file's name without folders.
+std::string without_folders(const std::string& file) { return file.substr(file.find_last_of("/\\") + 1); }
+
+std::string scene_name(const std::string& file) {
+    const std::string name = without_folders(file);
+    return as_utf8(name.substr(0, name.rfind('.')));
 }
 
 class Importer {
 public:
-    Importer(const MeshSoup& mesh, const Camera& camera, Scene& scene)
-        : mesh_(mesh), camera_(camera), view_(view_of(camera, scene.area)), scene_(scene) {}
+    Importer(MeshSoup& mesh, const Camera& camera, Scene& scene)
+        : mesh_(mesh), colors_(face_colors(mesh)), camera_(camera), view_(view_of(camera, scene.area)), scene_(scene) {}
 
     void import() {
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i) import_face(i);
@@ -107,9 +113,13 @@ private:
     void import_face(std::size_t number) {
         ScenePolygon face;
         face.id = std::to_string(number);
-        for (const std::size_t i : mesh_.faces[number]) face.vertices.push_back(mesh_.points[i]);
+        if (const auto group = mesh_.faces[number].group) {
+            constexpr std::size_t most = longest_id - 30;
+            face.id = std::string(first_bytes(as_utf8(mesh_.groups[*group]), most)) + ":" + face.id;
+        }
+        for (const std::size_t i : mesh_.faces[number].corners) face.vertices.push_back(mesh_.points[i]);
         std::vector<ScenePolygon> shown;
-        const std::vector<ScenePolygon> parts = parts_of(std::move(face));
+        const std::vector<ScenePolygon> parts = parts_of(std::move(face), number);
         bool bent = false;
         for (const ScenePolygon& part : parts) {
             Seen seen = look(view_, part);
@@ -127,23 +137,37 @@ private:
     }
 
     /// The face itself, or the parts it is cut into; none if it is dropped.
-    std::vector<ScenePolygon> parts_of(ScenePolygon face) {
+    std::vector<ScenePolygon> parts_of(ScenePolygon face, std::size_t number) {
         const PolygonAdmission admitted = admit_in_world(face);
         if (admitted.admission == Admission::too_few_vertices || face.edge_on) {
-            ++without_area_;
+            drop(without_area_, "without area", number);
             return {};
         }
-        face.color = tone(camera_, face);
+        face.color = color_of(face, number);
         if (admitted.admission == Admission::admitted) {
             vertices_ += admitted.dropped;
             return {std::move(face)};
         }
         std::vector<ScenePolygon> parts = exact_scene::cut_into_convex_parts_in_world(face);
-        if (parts.empty()) ++(face.vertices.size() > most_corners_to_clip ? unclear_ : crossing_);
+        if (parts.empty() && face.vertices.size() > most_corners_to_clip) {
+            drop(unclear_, "with too many corners to be cut", number);
+        } else if (parts.empty()) {
+            drop(crossing_, "that cross themselves", number);
+        }
         return parts;
     }
 
-    const MeshSoup& mesh_;
+    void drop(std::size_t& count, const std::string& why, std::size_t number) {
+        ++count;
+        mesh_.left_out.add("faces " + why, mesh_.place_of(number));
+    }
+
+    Color color_of(const ScenePolygon& polygon, std::size_t number) const {
+        return colors_[number].value_or(tone(camera_, polygon));
+    }
+
+    MeshSoup& mesh_;
+    const std::vector<std::optional<Color>> colors_;
     const Camera& camera_;
     const View view_;
     Scene& scene_;
@@ -153,12 +177,13 @@ private:
 
 }  // namespace
 
-SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options) {
+ImportedScene import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options,
+                          const Beside& beside) {
     const auto is_side = [](int side) { return 1 <= side && side <= largest_side; };
     if (!is_side(options.width) || !is_side(options.height)) {
         throw Refused(file + ": the size is not from 1 to " + std::to_string(largest_side) + " pixels a side");
     }
-    const MeshSoup mesh = read_mesh_soup(bytes, file);
+    MeshSoup mesh = read_mesh_soup(bytes, file, beside);
     Scene scene;
     scene.name = scene_name(file);
     scene.area = {0, 0, options.width, options.height};
@@ -172,10 +197,26 @@ SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, c
     try {
         Importer importer(mesh, camera, scene);
         importer.import();
-        return {admit(std::move(scene)), {file + ": " + importer.report()}};
+        return {admit(std::move(scene)), file + ": " + importer.report(), mesh.left_out.losses()};
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());
     }
+}
+
+Beside files_beside(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    return [folder](const std::string& name) -> std::optional<std::string> {
+        for (const std::string& place : {name, without_folders(name)}) {
+            const auto path = folder / place;
+            std::error_code error;
+            if (!place.empty() && std::filesystem::is_regular_file(path, error)) return read_file(path.string());
+        }
+        return std::nullopt;
+    };
+}
+
+ImportedScene import_mesh_file(const std::string& file, const ImportOptions& options) {
+    return import_mesh(read_file(file), file, options, files_beside(file));
 }
 
 }  // namespace vidno

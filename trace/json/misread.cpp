@@ -132,8 +132,13 @@ std::string pointer_step(std::string_view key) {
 
 std::string line_and_column(std::string_view text, std::size_t position) {
     const std::string_view before = text.substr(0, position);
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const auto line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+    std::size_t lines = 0, start = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] != '\n' && (before[i] != '\r' || text.substr(i + 1).starts_with('\n'))) continue;
+        ++lines;
+        start = i + 1;
+    }
+    const auto line = before.substr(start);
     const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
     const auto column = std::count_if(line.begin(), line.end(), is_first_byte);
     return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);

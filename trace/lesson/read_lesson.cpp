@@ -51,7 +51,7 @@ public:
     LessonReader(Lesson& lesson, Problems& problems)
         : lesson_(lesson), problems_(problems), file_(lesson.file("lesson.json")) {
         if (!std::filesystem::exists(file_)) throw Refused(file_ + " is missing, so this is not a lesson");
-        text_ = read_file(file_);
+        text_ = read_text(file_);
         expect_format_in(text_, lesson_format, file_);
     }
 
@@ -121,7 +121,7 @@ private:
                     const std::string file = (folder / story_file(language)).string();
                     Problems of_that_lesson;
                     if (!std::filesystem::exists(file)) return id;
-                    return read_story(read_file(file), language, file, of_that_lesson).plain_title;
+                    return read_story(read_text(file), language, file, of_that_lesson).plain_title;
                 })};
     }
 
@@ -132,7 +132,7 @@ private:
         auto& bibliography = lesson_.frame.bibliography;
         const auto file = lesson_.place.parent_path() / "sources.json";
         if (bibliography.is_null() && std::filesystem::exists(file)) {
-            bibliography = parse_json(read_file(file.string()));
+            bibliography = parse_json(read_text(file.string()));
         }
         if (!bibliography.contains(reading.key)) node.at("key").refuse(reading.key + ": not in " + file.string());
         return reading;
@@ -189,7 +189,7 @@ private:
 
 Story story_in(const Lesson& lesson, Language language, Problems& problems) {
     const std::string file = lesson.file(story_file(language));
-    if (std::filesystem::exists(file)) return read_story(read_file(file), language, file, problems);
+    if (std::filesystem::exists(file)) return read_story(read_text(file), language, file, problems);
     problems.push_back({file, 1, "is not there"});
     return {};
 }

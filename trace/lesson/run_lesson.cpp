@@ -24,9 +24,9 @@ Method method_of(const LessonRun& run) {
 
 AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
-    if (run.of_curves()) return read_surface(read_file(file), file);
+    if (run.of_curves()) return read_surface(read_text(file), file);
     const bool is_mesh = !file.ends_with(".json");
-    AdmittedScene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    AdmittedScene scene = is_mesh ? import_mesh_file(file, {}).scene : read_scene(read_text(file), file).scene;
     if (const auto reason = refusal_of(method_of(run), scene)) {
         throw Refused(file + ": not for " + run.method + ": " + *reason);
     }

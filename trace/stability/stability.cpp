@@ -182,7 +182,7 @@ Results::Results(Campaign campaign) : campaign_(std::move(campaign)) {
 Results Results::merged(const std::vector<std::string>& files) {
     std::optional<Results> results;
     for (const auto& file : files) {
-        const std::string text = read_file(file);
+        const std::string text = read_text(file);
         expect_format_in(text, results_format, file);
         if (!results) {
             read_line(first_line(text), file + ":1", [&](const Json& object) {

@@ -32,9 +32,7 @@ std::string output_of(const std::vector<std::string>& command, std::string_view)
 std::string encode_png(const Picture&, const std::string& name) { throw only_native(name); }
 
 AnyChart read_chart(std::string_view, const std::string& file) { throw only_native(file); }
-SceneWithWarnings import_mesh(std::string_view, const std::string& file, const ImportOptions&) {
-    throw only_native(file);
-}
+ImportedScene import_mesh_file(const std::string& file, const ImportOptions&) { throw only_native(file); }
 Story read_story(std::string_view, Language, const std::string& file, Problems&) { throw only_native(file); }
 void compare_structure(const Story&, const Story&, Problems&) {}
 void omit_answers(nlohmann::ordered_json&) {}

@@ -227,7 +227,7 @@ ToldSteps pinned_step(const FigureOptions& options) {
 
 /// A failure is traced as it fails, and drawn at the step where it is seen unless another step is given.
 ToldSteps failure_steps(const FigureOptions& options) {
-    const Failure failure = read_failure(read_file(options.input), options.input);
+    const Failure failure = read_failure(read_text(options.input), options.input);
     say(failure, options.input);
     std::string text;
     write_failing_run(failure, [&](std::string_view part) { text += part; });
@@ -429,7 +429,7 @@ std::string drawn_figure(const FigureOptions& options, Losses& losses) {
     if (!options.film) format_of(options.output);
     expect_no_mesh(options.input);
     if (!options.input.ends_with(".json")) return drawn_trace(options, losses);
-    const std::string text = read_file(options.input);
+    const std::string text = read_text(options.input);
     if (is_failure(text)) return drawn_trace(options, losses);
     if (is_surface(text))
         throw Refused(options.input + ": a surface; vidno render draws surfaces, and vidno figure draws their traces");

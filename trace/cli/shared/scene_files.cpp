@@ -80,11 +80,11 @@ AdmittedScene scene_from(const std::string& file) {
     throw Refused(file + ": a surface, but this command takes scenes of polygons, vidno-scene/1");
 }
 
-AnyScene any_scene_from(const std::string& file) { return read(read_file(file), file).scene; }
+AnyScene any_scene_from(const std::string& file) { return read(read_text(file), file).scene; }
 
 AnyScene any_scene_for(RunOptions& options, bool says_step) {
     const std::string& file = options.scene;
-    auto [scene, failure] = read(read_file(file), file);
+    auto [scene, failure] = read(read_text(file), file);
     if (failure) {
         const NamedRun& run = failure->fails;
         if (!options.method) options.method = run.method;
@@ -104,7 +104,7 @@ AnyScene any_scene_for(RunOptions& options, bool says_step) {
 }
 
 std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file) {
-    const std::string text = read_file(file);
+    const std::string text = read_text(file);
     if (is_surface(text)) return read_function(text, file);
     if (!is_failure(text)) return std::get<AdmittedScene>(read(text, file).scene);
     std::optional<Function> function;
