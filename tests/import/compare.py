@@ -36,7 +36,8 @@ def fault_of(case, told):
                 return "%s has other %s: %r, not %r" % (reader, part, result[part], case[part])
         if not agree(case, result):
             return "%s has other colours: %r, not %r" % (reader, result["colors"], case["colors"])
-    return "losses: %r" % told["losses"] if told["losses"] else None
+    told_kinds = [loss.partition(": left out: ")[2].partition(" (")[0] for loss in told["losses"]]
+    return None if told_kinds == case["losses"] else "losses: %r, not %r" % (told["losses"], case["losses"])
 
 
 def main(program, work, count, first=0):

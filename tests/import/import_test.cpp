@@ -538,10 +538,10 @@ TEST_CASE("files with false counts are refused before memory is reserved") {
         {"m.ply", ply_header("binary_little_endian", "1", "1") + std::string(12, '\0') + "\xff" + std::string(8, '\0'),
          "face 0: a list that is longer than the file, or of negative length"},
         {"m.ply", ply_header("ascii", "1", "1") + "0 0 0\n3 0 0 1\n",
-         "line 11: a face has a vertex that does not exist, of 1"},
+         "line 12: a face has a vertex that does not exist, of 1"},
         {"m.ply", ply_header("ascii", "1", "1") + "0 0 0\n3 0 0 -1\n",
-         "line 11: a face has a vertex that does not exist"},
-        {"m.ply", ply_header("ascii", "1", "1") + "0 0 0\n3 0 0 0.5\n", "line 11: not a whole number"},
+         "line 12: a face has a vertex that does not exist"},
+        {"m.ply", ply_header("ascii", "1", "1") + "0 0 0\n3 0 0 0.5\n", "line 12: not a whole number"},
         {"m.ply",
          ply_header("binary_little_endian", "1", "0") + bytes_of(std::numeric_limits<float>::quiet_NaN()) +
              std::string(8, '\0'),

@@ -1,7 +1,7 @@
 """Mesh files in the layouts that people bring. A seed makes a mesh, its file, and what a reader must find in it.
 
 A case is a dict: `name` of the file, its `bytes`, perhaps `library` (the bytes of materials.mtl beside it), and either the mesh (`points`,
-`faces`, `colors` by face, `groups` by face) or `line`, the line that a refusal must name. `line` is 0 for a binary file.
+`faces`, `colors` by face, `groups` by face) with the kinds of its `losses`, or `line`, the line that a refusal must name. `line` is 0 for a binary file.
 """
 import random
 import struct
@@ -82,8 +82,13 @@ def case(seed, kind):
     return made
 
 
-def found(points, faces, colors=None, groups=None):
-    return {"points": points, "faces": faces, "colors": colors or [None] * len(faces), "groups": groups or [None] * len(faces)}
+def found(points, faces, colors=None, groups=None, paint=None):
+    """What a reader must find. `paint` has the colours of the points; a scene loses their change within a face."""
+    if paint:
+        colors = [mean([paint[corner] for corner in face]) for face in faces]
+    is_mixed = bool(paint) and any(paint[corner] != paint[face[0]] for face in faces for corner in face)
+    return {"points": points, "faces": faces, "colors": colors or [None] * len(faces), "groups": groups or [None] * len(faces),
+            "losses": ["a change of colour within a face, which has the mean"] if is_mixed else []}
 
 
 # OBJ
@@ -160,11 +165,7 @@ def make_obj(rng, fault):
                 words(["f"] + corners)
                 if i == bad_face:
                     line = line_of[1 + k] if fault == "zero" else at
-                if paint:
-                    shades = [paint[corner] for corner in faces[i]]
-                    colors.append(mean(shades))
-                else:
-                    colors.append(color)
+                colors.append(color)
                 groups.append(group)
             out.end_line()
     made = {"bytes": out.bytes()}
@@ -179,7 +180,7 @@ def make_obj(rng, fault):
         made["library"] = library.bytes()
     if fault:
         return dict(made, line=line)
-    return dict(made, **found(points, faces, colors, groups))
+    return dict(made, **found(points, faces, colors, groups, paint))
 
 
 def mean(shades):
@@ -275,8 +276,7 @@ def make_off(rng, fault):
         out.end_line()
     if fault:
         return {"bytes": out.bytes(), "line": line}
-    colors = own or ([mean([paint[corner] for corner in face]) for face in faces] if paint else None)
-    return {"bytes": out.bytes(), **found(points, faces, colors)}
+    return {"bytes": out.bytes(), **found(points, faces, own, paint=paint)}
 
 
 # PLY
@@ -397,8 +397,7 @@ def make_ply(rng, fault):
         made = out.bytes()
         if fault:
             return {"bytes": made, "line": line}
-    colors = own or ([mean([shades[corner] for corner in face]) for face in faces] if shades else None)
-    return {"bytes": made, **found(points, faces, colors)}
+    return {"bytes": made, **found(points, faces, own, paint=shades)}
 
 
 def random_strips(rng, count):

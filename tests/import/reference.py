@@ -72,12 +72,13 @@ def read_off(data, _):
     lines = [line for line in lines if line]
     keyword, counts = re.match(r"([A-Z]*OFF)(\d*)$", lines[0][0]).groups()
     lines[0] = ([counts] if counts else []) + lines[0][1:]
+    at = 0 if lines[0] else 1  # the line of the counts
+    states_edges = len(lines[at]) != 2 or (len(lines) > at + 1 and len(lines[at + 1]) == 1)
     words = [(word, number) for number, line in enumerate(lines) for word in line]
     counts = [int(words.pop(0)[0]), int(words.pop(0)[0])]
     base = 3 + (3 if "N" in keyword else 0) + (2 if "ST" in keyword else 0)
 
     def attempt(edges, parts, several):
-        assert not edges or words[0][0].isdigit()
         rest = words[edges:]
         take = lambda: rest.pop(0)[0]
         points, shades, faces, own = [], [], [], []
@@ -99,16 +100,15 @@ def read_off(data, _):
             assert len(shade) in (0, 3, 4)
             faces.append(face)
             own.append(shade[:3] or None)
-        assert not rest and all(0 <= corner < counts[0] for face in faces for corner in face)
+        assert not rest and all(len(face) >= 3 for face in faces) and all(0 <= corner < counts[0] for face in faces for corner in face)
         return points, faces, face_colors(faces, unit(own), unit(shades)), [None] * len(faces)
 
     for several in (False, True):
-        for edges in (1, 0):
-            for parts in (4, 3) if "C" in keyword else (0,):
-                try:
-                    return attempt(edges, parts, several)
-                except (AssertionError, ValueError, IndexError, ZeroDivisionError):
-                    pass
+        for parts in (4, 3) if "C" in keyword else (0,):
+            try:
+                return attempt(1 if states_edges else 0, parts, several)
+            except (AssertionError, ValueError, IndexError, ZeroDivisionError):
+                pass
     raise ValueError("no layout fits")
 
 

@@ -65,6 +65,13 @@ std::string MeshSoup::place_of(std::size_t face) const {
     return line > 0 ? "line " + std::to_string(line) : "face " + std::to_string(face);
 }
 
+bool has_plausible_faces(const MeshSoup& soup) {
+    return std::all_of(soup.faces.begin(), soup.faces.end(), [&](const MeshFace& face) {
+        return face.corners.size() >= 3 && std::all_of(face.corners.begin(), face.corners.end(),
+                                                       [&](std::size_t corner) { return corner < soup.points.size(); });
+    });
+}
+
 std::string mesh_endings() {
     std::string endings;
     for (std::size_t i = 0; i < mesh_formats.size(); ++i) {

@@ -81,6 +81,10 @@ struct MeshFormat {
 inline constexpr std::array mesh_formats{MeshFormat{"obj", read_obj}, MeshFormat{"off", read_off},
                                          MeshFormat{"ply", read_ply}, MeshFormat{"stl", read_stl}};
 
+/// Whether each face has three corners or more, all of points that exist. Numbers that are read in a layout which is not theirs seldom
+/// make such faces.
+bool has_plausible_faces(const MeshSoup& soup);
+
 /// The extensions of mesh files: ".obj, .off, .ply or .stl".
 std::string mesh_endings();
 

@@ -1,4 +1,5 @@
 #include <map>
+#include <utility>
 
 #include "characters.h"
 #include "import/mesh_soup.h"
@@ -30,6 +31,7 @@ public:
     ObjReader(std::string_view bytes, const Beside& beside) : words_(bytes, '#'), beside_(beside) {
         while (words_.next_line()) {
             line_ = words_.line();
+            continues_ = false;
             if (const std::string_view keyword = words_.word(); !keyword.empty()) read(keyword);
         }
     }
@@ -63,14 +65,12 @@ private:
 
     /// The next word of a statement of numbers; a backslash at the end of a line continues it.
     std::string_view word() {
+        if (std::exchange(continues_, false) && !words_.next_line()) return {};
         std::string_view found = words_.word();
-        while (found.ends_with('\\') && !words_.has_word()) {
-            found.remove_suffix(1);
-            const bool at_end = !words_.next_line();
-            if (!found.empty() || at_end) break;
-            found = words_.word();
-        }
-        return found;
+        if (!found.ends_with('\\') || words_.has_word()) return found;
+        found.remove_suffix(1);
+        continues_ = true;
+        return found.empty() ? word() : found;
     }
 
     void skip_words() {
@@ -194,6 +194,7 @@ private:
     TextWords words_;
     const Beside& beside_;
     std::size_t line_ = 0;  // of the statement's keyword
+    bool continues_ = false;
     MeshSoup soup_;
     std::map<std::string, Material> materials_;
     std::optional<WrittenColor> color_;

@@ -27,10 +27,12 @@ public:
     MeshSoup soup() {
         OffLayout likely;
         likely.has_edges = states_edges();
-        if (auto soup = fitting(likely)) return std::move(*soup);
         OffLayout by_lines = likely;
         by_lines.lines = OffLayout::item_in_line;
-        if (lines_from(start_of_points(likely)) == points_ + faces_) return read(by_lines);
+        const bool has_line_for_each = lines_from(start_of_points(likely)) == points_ + faces_;
+        if (has_line_for_each && misfits(likely) <= 1) return read(by_lines);
+        if (auto soup = fitting(likely)) return std::move(*soup);
+        if (has_line_for_each) return read(by_lines);
         for (const bool has_edges : {true, false}) {
             for (const std::size_t color_parts : {4, 3}) {
                 for (const auto lines : {OffLayout::free, OffLayout::without_colors}) {
@@ -89,10 +91,27 @@ private:
         return lines;
     }
 
+    /// How many lines do not hold as many words as a vertex or a face. If it is just one, that line is wrong.
+    std::size_t misfits(const OffLayout& layout) const {
+        TextWords words = start_of_points(layout);
+        const std::size_t least = 3 + (has_normals_ ? 3 : 0) + (has_texture_ ? 2 : 0);
+        std::size_t found = 0;
+        for (std::uint64_t i = 0; i < points_ + faces_; ++i) {
+            words.next_line_with_words();
+            const auto line = words.words_of_line();
+            std::size_t more = line.size() - least;
+            if (i >= points_) more = line.size() - 1 - std::size_t(std::atoi(std::string(line.front()).c_str()));
+            const bool may_have_color = i >= points_ || has_colors_;
+            found += !((more == 0 && (i >= points_ || !has_colors_)) || (more == 1 && i >= points_) ||
+                       ((more == 3 || more == 4) && may_have_color));
+        }
+        return found;
+    }
+
     std::optional<MeshSoup> fitting(const OffLayout& layout) {
         try {
             MeshSoup soup = read(layout);
-            if (is_whole_) return soup;
+            if (is_whole_ && has_plausible_faces(soup)) return soup;
         } catch (const Refused&) {
         }
         return std::nullopt;
@@ -102,10 +121,12 @@ private:
         layout_ = layout;
         words_ = start_of_points(layout);
         soup_ = {};
+        has_odd_numbers_ = false;
         for (std::uint64_t i = 0; i < points_; ++i) read_point();
         for (std::uint64_t i = 0; i < faces_; ++i) read_face();
-        is_whole_ = words_.word_of_text().empty();
-        if (!is_whole_) soup_.left_out.add("text after the last face", words_.place());
+        const bool at_end = words_.word_of_text().empty();
+        is_whole_ = at_end && !has_odd_numbers_;
+        if (!at_end) soup_.left_out.add("text after the last face", words_.place());
         return std::move(soup_);
     }
 
@@ -131,7 +152,7 @@ private:
         for (int axis = 0; has_normals_ && axis < 3; ++axis) words_.any_number(word("vertex"));
         std::vector<std::string_view> rest;
         if (by_lines()) {
-            rest = words_of_line();
+            rest = words_.words_of_line();
         } else {
             const std::size_t more = (has_colors_ ? layout_.color_parts : 0) + (has_texture_ ? 2 : 0);
             for (std::size_t i = 0; i < more; ++i) rest.push_back(word("vertex"));
@@ -152,14 +173,8 @@ private:
         for (std::uint64_t corner = 0; corner < corners; ++corner) {
             face.corners.push_back(words_.count(word("face")));
         }
-        if (layout_.lines != OffLayout::without_colors) face.color = color_of(words_of_line());
+        if (layout_.lines != OffLayout::without_colors) face.color = color_of(words_.words_of_line());
         soup_.faces.push_back(std::move(face));
-    }
-
-    std::vector<std::string_view> words_of_line() {
-        std::vector<std::string_view> all;
-        for (std::string_view found = words_.word(); !found.empty(); found = words_.word()) all.push_back(found);
-        return all;
     }
 
     /// Three parts, or four with the opacity. Written with a point, they are from 0 to 1.
@@ -175,7 +190,10 @@ private:
         }
         if (parts.size() == 3 || parts.size() == 4) return written_color(parts[0], parts[1], parts[2], has_point);
         if (parts.size() == 1) soup_.left_out.add("a colour that is a place in a table of colours", words_.place());
-        if (parts.size() > 1) soup_.left_out.add("numbers that are no colour", words_.place());
+        if (parts.size() > 1) {
+            soup_.left_out.add("numbers that are no colour", words_.place());
+            has_odd_numbers_ = true;
+        }
         return std::nullopt;
     }
 
@@ -191,7 +209,8 @@ private:
     OffLayout layout_;
     TextWords words_{""};
     MeshSoup soup_;
-    bool is_whole_ = false;
+    bool is_whole_ = false;         // whether the layout explains each number
+    bool has_odd_numbers_ = false;  // after a face
 };
 
 }  // namespace

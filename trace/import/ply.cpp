@@ -245,26 +245,38 @@ class PlyReader {
 public:
     explicit PlyReader(std::string_view bytes) : bytes_(bytes), words_(bytes), header_(ply_header(words_)) {}
 
-    /// The free layout, if it fits the whole text. Otherwise, if there are as many lines as items, an error is in the line that does
-    /// not fit.
     MeshSoup soup() {
-        try {
-            read(PlyLayout::free);
-            if (is_whole_) return std::move(soup_);
-        } catch (const Refused&) {
-            if (!has_line_for_each_item()) throw;
-        }
-        if (has_line_for_each_item()) read(PlyLayout::item_in_line);
+        read(has_item_in_each_line() ? PlyLayout::item_in_line : PlyLayout::free);
         return std::move(soup_);
     }
 
 private:
-    bool has_line_for_each_item() const {
+    /// Whether there are as many lines as items, and at most one of them has not as many words as its item. That line is then wrong.
+    bool has_item_in_each_line() const {
         if (header_.format != PlyFormat::ascii) return false;
-        std::uint64_t items = 0, lines = 0;
-        for (const PlyElement& element : header_.elements) items += element.count;
-        for (TextWords words = words_; words.next_line_with_words();) ++lines;
-        return items == lines;
+        TextWords words = words_;
+        std::size_t misfits = 0;
+        for (const PlyElement& element : header_.elements) {
+            for (std::uint64_t i = 0; i < element.count; ++i) {
+                if (!words.next_line_with_words()) return false;
+                misfits += !fits(words.words_of_line(), element);
+                if (misfits > 1) return false;
+            }
+        }
+        return !words.next_line_with_words();
+    }
+
+    static bool fits(const std::vector<std::string_view>& line, const PlyElement& element) {
+        std::size_t at = 0;
+        for (const PlyProperty& property : element.properties) {
+            if (property.size_type != nullptr && at < line.size()) {
+                const int length = std::atoi(std::string(line[at]).c_str());
+                if (length < 0) return false;
+                at += std::size_t(length);
+            }
+            ++at;
+        }
+        return at == line.size();
     }
 
     /// The bytes after the header. After a header of lines that end in CR alone, an LF belongs to the data.
@@ -281,8 +293,7 @@ private:
         PlyBody body(header_.format, data(), words_, layout);
         for (const PlyElement& element : header_.elements) read(body, element);
         if (soup_.points.empty()) throw Refused("no vertices");
-        is_whole_ = body.at_end();
-        if (!is_whole_) soup_.left_out.add("data after the last element", body.place());
+        if (!body.at_end()) soup_.left_out.add("data after the last element", body.place());
     }
 
     void read(PlyBody& body, const PlyElement& element) {
@@ -388,7 +399,6 @@ private:
     TextWords words_;
     PlyHeader header_;
     MeshSoup soup_;
-    bool is_whole_ = false;
     PlyItem item_;
 };
 

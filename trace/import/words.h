@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "json/json_node.h"
 #include "refused.h"
@@ -91,6 +92,12 @@ public:
         }
         found.remove_prefix(std::min(found.find_first_not_of(blanks), found.size()));
         return std::string(found.substr(0, found.find_last_not_of(blanks) + 1));
+    }
+
+    std::vector<std::string_view> words_of_line() {
+        std::vector<std::string_view> all;
+        for (std::string_view found = word(); !found.empty(); found = word()) all.push_back(found);
+        return all;
     }
 
     void skip_line() { line_ = {}; }
