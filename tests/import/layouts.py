@@ -76,10 +76,12 @@ FAULTS = {
 
 def case(seed, kind):
     rng = random.Random("%s %d" % (kind, seed))
-    fault = rng.choice(FAULTS[kind]) if rng.random() < 0.25 else None
-    made = globals()["make_" + kind](rng, fault)
-    made["name"] = "%s-%d.%s" % (kind, seed, rng.choice([kind, kind, kind.upper()]))
-    return made
+    while True:
+        fault = rng.choice(FAULTS[kind]) if rng.random() < 0.25 else None
+        made = globals()["make_" + kind](rng, fault)
+        if made is not None:
+            made["name"] = "%s-%d.%s" % (kind, seed, rng.choice([kind, kind, kind.upper()]))
+            return made
 
 
 def found(points, faces, colors=None, groups=None, paint=None):
@@ -250,7 +252,7 @@ def make_off(rng, fault):
     elif fault:
         bad = len(points) + rng.randrange(len(faces))
         items[bad][2] = "-1" if fault == "negative" else str(len(points))
-    line = None
+    line, used = None, set()
     if layout != "one line":
         out.end_line()
     for i, words in enumerate(items):
@@ -269,11 +271,14 @@ def make_off(rng, fault):
                     out.end_line()
                 else:
                     out.add(blank(rng))
+            used.add(out.line)
             out.add(word)
         if layout == "lines" or (layout == "free" and (kinds[i] == "f" or rng.random() < 0.5)):
             out.end_line()
     if layout == "one line":
         out.end_line()
+    if layout == "free" and len(used) == len(items):
+        return None  # it could as well be a file with a line for each item, of which some are wrong
     if fault:
         return {"bytes": out.bytes(), "line": line}
     return {"bytes": out.bytes(), **found(points, faces, own, paint=paint)}
@@ -369,6 +374,7 @@ def make_ply(rng, fault):
     elif fault in ("word", "short"):
         bad = place["vertex"] + rng.randrange(len(points))
 
+    used = set()  # lines of the body
     if form != "ascii":
         order = "<" if form.endswith("little_endian") else ">"
         data = b"".join(struct.pack(order + CODES[kind], value) for row in rows for kind, value in row)
@@ -387,6 +393,7 @@ def make_ply(rng, fault):
             for k, word in enumerate(words):
                 if k > 0:
                     out.add(blank(rng))
+                used.add(out.line)
                 out.add(word)
                 if layout == "free" and rng.random() < 0.1:
                     out.end_line()
@@ -394,6 +401,8 @@ def make_ply(rng, fault):
                 out.end_line()
             else:
                 out.add(" ")
+        if layout == "free" and len(used) == len(rows):
+            return None  # as for OFF
         made = out.bytes()
         if fault:
             return {"bytes": made, "line": line}

@@ -130,14 +130,18 @@ std::string pointer_step(std::string_view key) {
     return step;
 }
 
+LineStart line_start(std::string_view text, std::size_t position) {
+    LineStart found{0, 0};
+    for (std::size_t i = 0; i < position; ++i) {
+        const bool is_cr_alone = text[i] == '\r' && !text.substr(i + 1).starts_with('\n');
+        if (text[i] == '\n' || is_cr_alone) found = {found.lines_before + 1, i + 1};
+    }
+    return found;
+}
+
 std::string line_and_column(std::string_view text, std::size_t position) {
     const std::string_view before = text.substr(0, position);
-    std::size_t lines = 0, start = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        if (before[i] != '\n' && (before[i] != '\r' || text.substr(i + 1).starts_with('\n'))) continue;
-        ++lines;
-        start = i + 1;
-    }
+    const auto [lines, start] = line_start(text, before.size());
     const auto line = before.substr(start);
     const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
     const auto column = std::count_if(line.begin(), line.end(), is_first_byte);

@@ -62,6 +62,12 @@ private:
 /// A key as a step of a JSON pointer, its slash included.
 std::string pointer_step(std::string_view key);
 
+/// How many ends of lines are before a place in a text, LF, CR LF or CR; and where the last one ends.
+struct LineStart {
+    std::size_t lines_before, position;
+};
+LineStart line_start(std::string_view text, std::size_t position);
+
 /// "line 2, column 13" of a place in a text, counted from 1, in characters.
 std::string line_and_column(std::string_view text, std::size_t position);
 

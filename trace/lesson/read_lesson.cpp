@@ -29,7 +29,7 @@ int line_of(std::string_view text, const std::string& place) {
         if (found != text.npos) position = found;
         pointer.remove_prefix(std::min(pointer.size(), pointer.find('/')));
     }
-    return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
+    return 1 + int(line_start(text, position).lines_before);
 }
 
 /// The methods that a lesson may use.
