@@ -1,6 +1,6 @@
 """Compares the program's readers of meshes with a second reader (reference.py), on files in all layouts (layouts.py).
 
-    python3 tests/import/compare.py build/release/tests/vidno_mesh WORK 1000
+    python3 tests/import/compare.py build/release/tests/import/vidno_mesh WORK 1000
 
 writes so many files of each format to the folder WORK, reads all of them by both readers, and compares each with the mesh that the file was
 made from; or, if the file is faulty, the line that the program names with that of the fault. `./dev test` reads 200 of each format. A further

@@ -218,6 +218,7 @@ TEST_CASE("the triangle (0,0) (4,0) (0,3), in whatever layout it comes") {
         {"a face in two lines", "t.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0\n1 2\n"},
         {"counts that adjoin", "t.off", "OFF3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"},
         {"no keyword", "t.off", "3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"},
+        {"the first vertex in the line of the counts", "t.off", "OFF 3 1 0 0 0 0\n4 0 0\n0 3 0\n3 0\n1 2\n"},
         {"all in one line", "t.off", "OFF 3 1 0 0 0 0 4 0 0 0 3 0 3 0 1 2"},
         {"no count of edges", "t.off", "OFF\n3 1\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"},
         {"comments anywhere", "t.off", "# a\nOFF # b\n3 # c\n1 0\n0 0 # d\n0\n4 0 0\n#\n0 3 0\n3 0 1 # e\n2\n"},

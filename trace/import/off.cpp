@@ -29,7 +29,8 @@ public:
         likely.has_edges = states_edges();
         OffLayout by_lines = likely;
         by_lines.lines = OffLayout::item_in_line;
-        const bool has_line_for_each = lines_from(start_of_points(likely)) == points_ + faces_;
+        const TextWords start = start_of_points(likely);
+        const bool has_line_for_each = !start.has_word() && lines_from(start) == points_ + faces_;
         if (has_line_for_each && misfits(likely) <= 1) return read(by_lines);
         if (auto soup = fitting(likely)) return std::move(*soup);
         if (has_line_for_each) return read(by_lines);
@@ -86,7 +87,7 @@ private:
     }
 
     static std::uint64_t lines_from(TextWords words) {
-        std::uint64_t lines = words.has_word() ? 1 : 0;
+        std::uint64_t lines = 0;
         while (words.next_line_with_words()) ++lines;
         return lines;
     }
