@@ -585,3 +585,36 @@ TEST_CASE("sizes and cameras that make no picture are refused") {
     CHECK_THROWS_WITH_AS(import_mesh(cube_obj(), "c.obj", options), "c.obj: camera: eye and target are one point",
                          Refused);
 }
+
+TEST_CASE("faces in one plane that share edges are parts of one face, of one colour") {
+    // A square of two triangles, a third one of the same plane beside it, and one that is bent away from it.
+    const auto [scene, report, losses] =
+        import_mesh("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 8 0 0\nv 0 0 -3\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 6 2\n",
+                    "s.obj", from_the_front());
+    const auto face_of = [&](const std::string& id) {
+        for (const auto& polygon : scene->polygons) {
+            if (polygon.id == id) return polygon.face;
+        }
+        return std::string("not in view");
+    };
+    CHECK(face_of("0") == "0");
+    CHECK(face_of("1") == "0");
+    CHECK(face_of("2") == "0");
+    CHECK(scene->polygons[0].color == scene->polygons[1].color);
+    CHECK(face_of("3") != "0");
+}
+
+TEST_CASE("faces of two colours, of two groups, and those that only touch are no parts of one face") {
+    for (const std::string mesh : {
+             "v 0 0 0 1 0 0\nv 4 0 0 1 0 0\nv 4 4 0 1 0 0\nv 0 0 0 0 0 1\nv 4 4 0 0 0 1\nv 0 4 0 0 0 1\nf 1 2 3\nf 4 5 "
+             "6\n",
+             "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\ng a\nf 1 2 3\ng b\nf 1 3 4\n",
+             "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv -4 0 0\nf 1 2 3\nf 1 4 5\n",
+         }) {
+        CAPTURE(mesh);
+        const auto [scene, report, losses] = import_mesh(mesh, "s.obj", from_the_front());
+        REQUIRE(scene->polygons.size() == 2);
+        CHECK(scene->polygons[0].face.empty());
+        CHECK(scene->polygons[1].face.empty());
+    }
+}

@@ -81,7 +81,8 @@ void add_import(CLI::App& program, int& status) {
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
     command.footer(
-        "Faces that are not planar and convex are cut into polygons that are. What the scene lacks, such as dropped faces, "
+        "Faces that are not planar and convex are cut into polygons that are. What the scene lacks, such as dropped "
+        "faces, "
         "textures and lines, is reported with its line; the exit status is then 1.");
     command.callback([options, &status] { status = import_scene(*options); });
 }

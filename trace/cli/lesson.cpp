@@ -65,8 +65,8 @@ int make_lesson(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
     const bool is_mesh = !options.source.ends_with(".json");
-    const AnyScene scene = is_mesh ? AnyScene(import_mesh_file(options.source, {}).scene)
-                                   : any_scene_from(options.source);
+    const AnyScene scene =
+        is_mesh ? AnyScene(import_mesh_file(options.source, {}).scene) : any_scene_from(options.source);
     auto files = new_lesson(scene);
     files["scene.json"] = is_mesh ? scene_json(std::get<AdmittedScene>(scene)) + '\n' : read_text(options.source);
     std::filesystem::create_directories(folder);

@@ -1,5 +1,9 @@
+#include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <set>
+#include <string_view>
+#include <tuple>
 
 #include "parts.h"
 #include "table.h"
@@ -106,25 +110,41 @@ private:
     std::vector<Box> taken_;
 };
 
-/// Whether another part of the polygon's face has the edge from one vertex to another, in the opposite direction.
-bool is_inside_face(const glm::dvec3& from, const glm::dvec3& to, const ScenePolygon& polygon, const Scene& scene) {
-    return std::any_of(scene.polygons.begin(), scene.polygons.end(), [&](const ScenePolygon& part) {
-        if (&part == &polygon || !are_of_one_face(part, polygon)) return false;
-        for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-            if (part.vertices[i] == to && part.vertices[(i + 1) % part.vertices.size()] == from) return true;
+/// The edges of the polygons that are parts of faces, each in its direction.
+class EdgesOfFaces {
+public:
+    explicit EdgesOfFaces(const Scene& scene) {
+        for (const auto& polygon : scene.polygons) {
+            if (polygon.face.empty()) continue;
+            for (std::size_t i = 0; i < polygon.vertices.size(); ++i) edges_.insert(edge(polygon, i, i + 1));
         }
-        return false;
-    });
-}
+    }
+
+    /// Whether another part of the polygon's face has the edge from this vertex, in the opposite direction.
+    bool meets_part(const ScenePolygon& polygon, std::size_t i) const {
+        return !polygon.face.empty() && edges_.contains(edge(polygon, i + 1, i));
+    }
+
+private:
+    using Edge = std::tuple<std::string_view, std::array<double, 6>>;
+
+    static Edge edge(const ScenePolygon& polygon, std::size_t from, std::size_t to) {
+        const auto &p = polygon.vertices[from % polygon.vertices.size()],
+                   &q = polygon.vertices[to % polygon.vertices.size()];
+        return {polygon.face, {p.x, p.y, p.z, q.x, q.y, q.z}};
+    }
+
+    std::set<Edge> edges_;
+};
 
 /// The outline of a polygon, without the edges inside its face.
-std::vector<Polyline> drawn_outline(const ScenePolygon& polygon, const Scene& scene, const Plane& plane) {
+std::vector<Polyline> drawn_outline(const ScenePolygon& polygon, const EdgesOfFaces& edges, const Plane& plane) {
     if (polygon.face.empty()) return clipped(plane.outline(polygon), true, plane.shown);
     std::vector<Polyline> lines;
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-        const glm::dvec3 &from = polygon.vertices[i], &to = polygon.vertices[(i + 1) % polygon.vertices.size()];
-        if (is_inside_face(from, to, polygon, scene)) continue;
-        for (auto& line : clipped({plane.at(from.x, from.y), plane.at(to.x, to.y)}, false, plane.shown)) {
+    const Polyline outline = plane.outline(polygon);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (edges.meets_part(polygon, i)) continue;
+        for (auto& line : clipped({outline[i], outline[(i + 1) % outline.size()]}, false, plane.shown)) {
             lines.push_back(std::move(line));
         }
     }
@@ -135,11 +155,12 @@ std::vector<Polyline> drawn_outline(const ScenePolygon& polygon, const Scene& sc
 
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     const auto& polygons = moment.scene().polygons;
+    const EdgesOfFaces edges(moment.scene());
     const auto in_hand = polygon_in_hand(moment);
     const double usual = polygons.size() > most_outlines ? Stroke::hairline : 0.6;
     const auto draw = [&](const ScenePolygon& polygon, double width) {
         const Stroke stroke{deep(polygon.color, style.greyscale), width};
-        to.add(Path{drawn_outline(polygon, moment.scene(), plane), false, {}, stroke});
+        to.add(Path{drawn_outline(polygon, edges, plane), false, {}, stroke});
     };
     for (const auto& polygon : polygons) draw(polygon, usual);
     if (in_hand) draw(polygons[std::size_t(*in_hand)], 1);

@@ -80,7 +80,15 @@ std::string scene_name(const std::string& file) {
 class Importer {
 public:
     Importer(MeshSoup& mesh, const Camera& camera, Scene& scene)
-        : mesh_(mesh), colors_(face_colors(mesh)), camera_(camera), view_(view_of(camera, scene.area)), scene_(scene) {}
+        : mesh_(mesh),
+          colors_(face_colors(mesh)),
+          flat_part_(flat_parts(mesh, colors_)),
+          parts_(mesh.faces.size()),
+          camera_(camera),
+          view_(view_of(camera, scene.area)),
+          scene_(scene) {
+        for (const std::size_t first : flat_part_) ++parts_[first];
+    }
 
     void import() {
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i) import_face(i);
@@ -110,14 +118,24 @@ private:
         line += std::to_string(count) + " " + what;
     }
 
+    std::string name_of(std::size_t number) const {
+        const auto group = mesh_.faces[number].group;
+        if (!group) return std::to_string(number);
+        constexpr std::size_t most = longest_id - 30;
+        return std::string(first_bytes(as_utf8(mesh_.groups[*group]), most)) + ":" + std::to_string(number);
+    }
+
+    ScenePolygon polygon_of(std::size_t number) const {
+        ScenePolygon polygon;
+        polygon.id = name_of(number);
+        for (const std::size_t i : mesh_.faces[number].corners) polygon.vertices.push_back(mesh_.points[i]);
+        return polygon;
+    }
+
     void import_face(std::size_t number) {
-        ScenePolygon face;
-        face.id = std::to_string(number);
-        if (const auto group = mesh_.faces[number].group) {
-            constexpr std::size_t most = longest_id - 30;
-            face.id = std::string(first_bytes(as_utf8(mesh_.groups[*group]), most)) + ":" + face.id;
-        }
-        for (const std::size_t i : mesh_.faces[number].corners) face.vertices.push_back(mesh_.points[i]);
+        ScenePolygon face = polygon_of(number);
+        const std::size_t first = flat_part_[number];
+        if (parts_[first] > 1) face.face = name_of(first);
         std::vector<ScenePolygon> shown;
         const std::vector<ScenePolygon> parts = parts_of(std::move(face), number);
         bool bent = false;
@@ -143,7 +161,8 @@ private:
             drop(without_area_, "without area", number);
             return {};
         }
-        face.color = color_of(face, number);
+        const std::size_t first = flat_part_[number];
+        face.color = colors_[number].value_or(tone(camera_, first == number ? face : polygon_of(first)));
         if (admitted.admission == Admission::admitted) {
             vertices_ += admitted.dropped;
             return {std::move(face)};
@@ -162,12 +181,10 @@ private:
         mesh_.left_out.add("faces " + why, mesh_.place_of(number));
     }
 
-    Color color_of(const ScenePolygon& polygon, std::size_t number) const {
-        return colors_[number].value_or(tone(camera_, polygon));
-    }
-
     MeshSoup& mesh_;
     const std::vector<std::optional<Color>> colors_;
+    const std::vector<std::size_t> flat_part_;  // of each face, by the part's first one
+    std::vector<std::size_t> parts_;            // of each flat part, by its first face
     const Camera& camera_;
     const View view_;
     Scene& scene_;

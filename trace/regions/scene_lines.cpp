@@ -134,12 +134,14 @@ SceneLines scene_lines(const std::vector<ShownRegion>& regions, const Scene& sce
     }
     for (const auto& polygon : scene.polygons) {
         if (polygon.edge_on) continue;
-        Pieces none_needed = visible;  // lines that are drawn already, and cuts
+        Pieces cuts;
         for (const auto& other : scene.polygons) {
-            if (&other != &polygon && are_of_one_face(other, polygon)) append(none_needed, edges_of(other));
+            if (&other != &polygon && are_of_one_face(other, polygon)) append(cuts, edges_of(other));
         }
         for (const auto& edge : edges_of(polygon)) {
-            for (const auto& piece : without(edge, none_needed)) append(hidden, without(piece, hidden));
+            for (const auto& drawn : without(edge, cuts)) {
+                for (const auto& piece : without(drawn, visible)) append(hidden, without(piece, hidden));
+            }
         }
     }
     return {in_doubles(visible), in_doubles(hidden)};

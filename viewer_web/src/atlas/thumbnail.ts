@@ -4,6 +4,7 @@ import { patchesOf } from '../picture/patches.js';
 import { boxData, pathData } from '../picture/shapes.js';
 import { outlineData } from '../picture/still.js';
 import type { Trace } from '../replay/trace.js';
+import { outlines } from '../trace/faces.js';
 import type { Point } from '../trace/values.js';
 import type { Rectangle } from '../picture/frame.js';
 
@@ -31,6 +32,7 @@ export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair 
       shapes: [{ look: 'line', d: ends.join('') }],
     };
   }
+  const outlineOf = outlines(polygons);
   const patches = patchesOf(timeline.seek(length).screen.picture, area);
   return {
     shown,
@@ -38,7 +40,7 @@ export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair 
       ...patches.map(({ color, d }) => ({ look: 'patch', d, fill: color })),
       ...polygons.map((polygon) => ({
         look: 'outline',
-        d: outlineData(polygon, polygons),
+        d: outlineData(outlineOf(polygon)),
         color: polygon.color,
       })),
       ...(wrong === null ? [] : [{ look: 'wrong', d: boxData([...wrong, 1, 1]) }]),

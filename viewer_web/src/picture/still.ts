@@ -1,5 +1,6 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import { outlineLines } from '../trace/faces.js';
+import { outlines } from '../trace/faces.js';
+import type { OutlineLine } from '../trace/faces.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
 import type { Mark } from './mark.js';
@@ -34,11 +35,11 @@ export function gridShapes({ area, shown, scale }: Frame): readonly Shape[] {
 
 /** The area and the polygons, which do not change from step to step. */
 export function outlineShapes({ area, polygons }: Scene): readonly Shape[] {
-  const outlines = polygons.slice(0, mostOutlines);
+  const outlineOf = outlines(polygons);
   return [
     { look: 'area', d: boxData([area.x, area.y, area.width, area.height]) },
-    ...outlines.flatMap((each) => {
-      const d = outlineData(each, polygons);
+    ...polygons.slice(0, mostOutlines).flatMap((each) => {
+      const d = outlineData(outlineOf(each));
       return polygons.length > many ? [faintOutline(each, d)] : outline(each, d);
     }),
   ];
@@ -54,12 +55,8 @@ export function shapesToPoint({ polygons }: Scene): readonly Shape[] {
   }));
 }
 
-/** The outline of a polygon, without the lines inside its face. */
-export function outlineData(polygon: Polygon, polygons: readonly Polygon[]): string {
-  return outlineLines(polygon, polygons)
-    .map(({ points, closed }) => pathData(points, closed))
-    .join('');
-}
+export const outlineData = (lines: readonly OutlineLine[]): string =>
+  lines.map(({ points, closed }) => pathData(points, closed)).join('');
 
 function outline({ color }: Polygon, d: string): readonly Shape[] {
   return [

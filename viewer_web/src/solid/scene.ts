@@ -3,8 +3,9 @@ import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
-import { outlineLines } from '../trace/faces.js';
-import type { Area, Polygon, Scene } from '../trace/header.js';
+import { outlines } from '../trace/faces.js';
+import type { OutlineLine } from '../trace/faces.js';
+import type { Area, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
@@ -21,12 +22,13 @@ const mostGrid = 64;
  */
 export function stillDrawing({ header: { scene } }: View, space: Space): Drawing {
   const isCrowded = scene.polygons.length > many;
+  const outlineOf = outlines(scene.polygons);
   return placed(
     together(
       { lines: [...gridLines(scene.area, space.far), ...boxLines(scene.area, space)] },
       {
         faces: scene.polygons.map(({ vertices: points, color }) => ({ points, color })),
-        lines: scene.polygons.flatMap((each) => outline(each, scene.polygons, isCrowded)),
+        lines: scene.polygons.flatMap((each) => outline(outlineOf(each), each.color, isCrowded)),
         labels: names(scene),
       },
     ),
@@ -46,12 +48,12 @@ export function stepDrawing(view: View, space: Space): Drawing {
 }
 
 function outline(
-  polygon: Polygon,
-  polygons: readonly Polygon[],
+  lines: readonly OutlineLine[],
+  color: string,
   isCrowded: boolean,
 ): readonly Line[] {
-  return outlineLines(polygon, polygons).flatMap((drawn): readonly Line[] => {
-    const line: Line = { look: 'outline', ...drawn, color: polygon.color };
+  return lines.flatMap((drawn): readonly Line[] => {
+    const line: Line = { look: 'outline', ...drawn, color };
     return isCrowded
       ? [{ ...line, look: 'outline many' }]
       : [{ look: 'outline-casing', ...drawn }, line];

@@ -8,27 +8,26 @@ export interface OutlineLine {
   readonly closed: boolean;
 }
 
-const key = (vertex: Vertices[number] | undefined): string => String(vertex);
+/** The edge from a vertex of a polygon to the next one, or the same in the opposite direction. */
+function edgeOf({ face, vertices }: Polygon, from: number, to: number): string {
+  const at = (i: number): string => String(vertices[i % vertices.length]);
+  return `${at(from)} ${at(to)} ${face ?? ''}`;
+}
 
-/** The outline of a polygon, without the edges where it meets other parts of its face. */
-export function outlineLines(
-  polygon: Polygon,
+/** Finds the outline of one of the polygons, without the edges where it meets other parts of its face. */
+export function outlines(
   polygons: readonly Polygon[],
-): readonly OutlineLine[] {
-  const { face, vertices } = polygon;
-  const whole: OutlineLine = { points: vertices, closed: true };
-  if (face === undefined) return [whole];
-  const others = polygons.filter((each) => each !== polygon && each.face === face);
-  const inside = new Set(
-    others.flatMap(({ vertices: of }) =>
-      of.map((to, i) => `${key(of[(i + 1) % of.length])} ${key(to)}`),
-    ),
+): (polygon: Polygon) => readonly OutlineLine[] {
+  const parts = polygons.filter(({ face }) => face !== undefined);
+  const edges = new Set(
+    parts.flatMap((part) => part.vertices.map((_, i) => edgeOf(part, i, i + 1))),
   );
-  const edges = vertices.map(
-    (from, i) => [from, vertices[(i + 1) % vertices.length] ?? from] as const,
-  );
-  const drawn = edges.filter(([from, to]) => !inside.has(`${key(from)} ${key(to)}`));
-  return drawn.length === edges.length
-    ? [whole]
-    : drawn.map((points) => ({ points, closed: false }));
+  return (polygon) => {
+    const { face, vertices } = polygon;
+    if (face === undefined) return [{ points: vertices, closed: true }];
+    return vertices.flatMap((from, i) => {
+      if (edges.has(edgeOf(polygon, i + 1, i))) return [];
+      return [{ points: [from, vertices[(i + 1) % vertices.length] ?? from], closed: false }];
+    });
+  };
 }
