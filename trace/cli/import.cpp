@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "import/mesh_soup.h"
 #include "output.h"
@@ -68,8 +69,9 @@ int import_scene(const ImportedMesh& options) {
     OutputFile file(options.output);
     file.write(scene_json(scene) + "\n");
     file.commit();
-    for (const auto& [what, where] : losses) std::cerr << options.mesh << ": " << where << ": " << what << '\n';
-    return losses.empty() ? 0 : 1;
+    Losses lost;
+    lost.add(options.mesh, losses);
+    return lost.told();
 }
 
 }  // namespace

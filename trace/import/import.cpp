@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "counted.h"
+#include "import/flat_parts.h"
 #include "json/unique_ids.h"
 #include "output.h"
 #include "refused.h"

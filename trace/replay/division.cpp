@@ -8,7 +8,7 @@ namespace vidno {
 
 namespace {
 
-enum Side : std::uint8_t { left = 1, right = 2, upper = 4, lower = 8 };
+enum WindowSide : std::uint8_t { left = 1, right = 2, upper = 4, lower = 8 };
 
 /// A side of 1 or less is not halved.
 double halved_side(double side, int level) {
