@@ -103,7 +103,7 @@ TEST_CASE("A curve that leaves the area is named wherever it is drawn") {
     const std::string surface = work.write("high.json", high);
     const std::string run = work.file("run.jsonl");
     REQUIRE_MESSAGE(program("trace " + surface + " -o " + run).status == 0, "a trace has the whole curve");
-    for (const std::string call : {"render " + surface, "replay " + run, "figure " + run}) {
+    for (const std::string& call : {"render " + surface, "replay " + run, "figure " + run}) {
         for (const std::string ending : {".svg", ".tex", ".pdf"}) {
             CAPTURE(call);
             const Outcome outcome = program(call + " -o " + work.file("lines" + ending));

@@ -17,7 +17,8 @@ WorkedCurves::WorkedCurves(const Surface& surface)
 }
 
 void WorkedCurves::hear(const event::Intersection& e) {
-    const VisibilityFlag from = end_.state().values().place.previous->second, to = end_.state().values().place.current->second;
+    const VisibilityFlag from = end_.state().values().place.previous->second,
+                         to = end_.state().values().place.current->second;
     const VisibilityFlag side = e.at == Line::FH7 ? side_beside(from, to) : side_beside(to, from);
     curves_.back().meetings.push_back({e.point, side == VisibilityFlag::above});
 }

@@ -1,4 +1,4 @@
-/// Sandbox: what bubblewrap is told, so that a program sees only the system's files, its scene and a folder in memory.
+/// Sandbox: the command line of bubblewrap, by which a program sees only the system's files, its scene and a folder in memory.
 ///
 /// Inside, the program is the user `nobody` of a user namespace of its own. Outside it is the grader's user or, if root grades, a user that
 /// owns nothing. Root's numbers are never in the namespace, so neither are root's rights.

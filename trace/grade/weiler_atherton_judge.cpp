@@ -121,7 +121,7 @@ void WeilerAthertonJudge::judge_parts(const event::Clipped& e) const {
                       : Bilingual{"of the piece of {} an area of {} lies outside of that of {}",
                                   "из части {} площадь {} лежит вне части {}"},
             id(e.polygon.index), SceneTruth::area_of(is_inside ? e.inside : e.outside), id(e.clip.index)),
-        say({"its area there is {}, and {} of what is told is wrong", "площадь там {}, и {} из сообщённого неверно"},
+        say({"its area there is {}, and {} of the told area is wrong", "площадь там {}, и {} из сообщённого неверно"},
             is_inside ? common : SceneTruth::area_of(piece.region) - common,
             is_inside ? astray.inside : astray.outside) +
             lost_};

@@ -23,7 +23,7 @@ public:
         check_face_count(faces_);
     }
 
-    /// A layout that fits the whole text; otherwise the likeliest one, whose error is told.
+    /// A layout that fits the whole text; otherwise the likeliest one, whose error is reported.
     MeshSoup soup() {
         OffLayout likely;
         likely.has_edges = states_edges();

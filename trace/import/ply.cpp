@@ -372,7 +372,7 @@ private:
         }
     }
 
-    /// Each further corner of a strip makes a triangle with the two before it; every second one goes round the other way. -1 begins a new
+    /// Each further corner of a strip makes a triangle with the two before it; every second one has the opposite direction. -1 begins a new
     /// strip. A corner that is repeated joins two strips and makes no triangle.
     void read_strips(PlyBody& body, const PlyElement& element) {
         const std::size_t place = list_of_corners(element);

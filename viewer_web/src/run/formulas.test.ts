@@ -74,7 +74,8 @@ const samplesOf = (trace: string): readonly number[] => {
   return header.scene.curves.flat().map(([, y]) => y);
 };
 
-const reasonOf = (messages: string): string => faultsOf(messages)[0]?.reason ?? '';
+const reasonOf = (messages: string): string =>
+  faultsOf(messages.replace(/^vidno: /u, ''))[0]?.reason ?? '';
 
 describe.skipIf(!existsSync(module))('Formulas in the page and in the program', () => {
   const folder = mkdtempSync(join(tmpdir(), 'vidno-'));

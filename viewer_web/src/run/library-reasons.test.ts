@@ -8,7 +8,6 @@ const sources = [
   'json/json_node.cpp',
   'scene/scene_json.cpp',
   'scene/surface.cpp',
-  'scene/height_function.cpp',
   'scene/failure.cpp',
 ];
 
