@@ -26,7 +26,7 @@ void WeilerAthertonState::take(const event::PopList& e, Screen&) {
     if (top.empty() || top.front()->polygon != e.clip || int(top.size()) != e.count) {
         throw Impossible{"not the list on top of the stack"};
     }
-    list_in_hand_.emplace().pieces = std::move(top);
+    list_in_hand_ = ListInHand{std::move(top), 1, {}, {}, {}};
     lists_.pop_back();
 }
 

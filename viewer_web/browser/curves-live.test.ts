@@ -91,10 +91,10 @@ describe('a surface that the page runs', () => {
     const page = await openSurface(waves);
     await page.keyboard.press('e');
     const field = page.locator('vidno-surface-form [name=function]');
-    await field.fill('rint(x)');
+    await field.fill('cot(x)');
     await field.press('Enter');
     await page
-      .locator('vidno-scene-panel .refused', { hasText: 'rint: no such function' })
+      .locator('vidno-scene-panel .refused', { hasText: 'cot: no such function' })
       .waitFor();
     await field.fill('0 * x');
     await field.press('Enter');

@@ -46,7 +46,9 @@ describe('keys of one letter', () => {
     expect(await stepOf(page)).toBe(1);
     await page.waitForFunction(() => location.hash.includes('keys=off.KX.XK'));
 
-    const again = await open(browser, `${new URL(page.url()).hash}&view=workbench`);
+    // The run came from a file, which an address cannot hold; a first lesson is opened instead.
+    const hash = new URL(page.url()).hash.replace(/trace=unheld&?/u, '');
+    const again = await open(browser, `${hash}&view=workbench`);
     await again.page.locator(title, { hasText: /./u }).waitFor();
     await press(again.page, 'k');
     expect(await panel(again.page)).toBe('state');
