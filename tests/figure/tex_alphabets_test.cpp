@@ -45,7 +45,8 @@ TEST_CASE("A .tex figure loads the encodings of its letters, whatever its langua
              Lettered{"🙂", english, other, "🙂"},
              Lettered{"שלום", russian, other, "שלום"},
          }) {
-        CAPTURE(label);
+        const auto& shown_label = label;
+        CAPTURE(shown_label);
         const Drawing drawing = labelled(label);
         CHECK(beyond_pdflatex({drawing}) == beyond);
         for (const std::string& text : {tikz_of(drawing, {"", language}), beamer_of({drawing}, {"", language})}) {

@@ -107,7 +107,8 @@ std::string scene_of(const std::string& polygons) {
 
 TEST_CASE("Convex parts: few, convex, and together the polygon") {
     for (const auto& [name, outline, reflex] : shapes) {
-        CAPTURE(name);
+        const auto& shown_name = name;
+        CAPTURE(shown_name);
         Vertices turned = outline;
         for (std::size_t turn = 0; turn < outline.size(); ++turn) {
             const auto parts = parts_of(turned);

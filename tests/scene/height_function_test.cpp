@@ -59,7 +59,8 @@ TEST_CASE("Formulas: values") {
              {"ln(x)", 2, 0, 0.693147180559945309417232121458},
              {"x == 1 ? 1 : 0", 1 + 0x1p-52, 0, 0},
          }) {
-        CAPTURE(formula);
+        const auto& shown_formula = formula;
+        CAPTURE(shown_formula);
         CHECK(height_function(formula)(x, z) == value);
     }
 }
@@ -110,7 +111,8 @@ TEST_CASE("Formulas: a text that is none is refused with what to write instead")
              {"1e999", "1e999: beyond the range of double"},
              {std::string(1001, ' '), "longer than 1000 characters"},
          }) {
-        CAPTURE(text);
+        const auto& shown_text = text;
+        CAPTURE(shown_text);
         CHECK(reason_against(text) == reason);
     }
 }

@@ -7,7 +7,7 @@ namespace {
 
 class FloatingHorizonStateText : StateText {
 public:
-    explicit FloatingHorizonStateText(const FloatingHorizonState& state) : StateText({}), state_(state) {}
+    explicit FloatingHorizonStateText(const FloatingHorizonState& state) : state_(state) {}
 
     std::string line() {
         begin(state_);

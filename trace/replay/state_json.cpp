@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    PolygonStateText(const State& state, const PolygonNames& names) : StateText(names), state_(state), names_(names) {}
+    PolygonStateText(const State& state, const PolygonNames& names) : state_(state), names_(names) {}
 
     void picture() {
         const Area& area = state_.screen().area();

@@ -11,8 +11,6 @@ namespace vidno {
 /// Each function appends one value.
 class StateText {
 protected:
-    explicit StateText(PolygonNames) {}
-
     void null() { out_ += "null"; }
     void boolean(bool value) { out_ += value ? "true" : "false"; }
 
