@@ -37,7 +37,7 @@ struct Told {
 };
 
 /// The status after the last step that was compared: both traces may have been cut. What both runs lost is no difference.
-int status_after(Told& first, Told& second, bool differ) {
+int status_of_comparison(Told& first, Told& second, bool differ) {
     Losses losses;
     for (Told* each : {&first, &second}) {
         each->trace().skip_rest();
@@ -60,7 +60,7 @@ int diff(const DiffOptions& options) {
             std::cout << "the traces differ from step " << step << " on\n- " << a.value_or("(the end)\n") << "+ "
                       << b.value_or("(the end)\n");
         }
-        return status_after(first, second, a || b);
+        return status_of_comparison(first, second, a || b);
     }
 }
 

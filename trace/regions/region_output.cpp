@@ -29,7 +29,7 @@ public:
 
 private:
     RegionsText(const std::vector<ShownRegion>& regions, const RunRequest& request, const PolygonNames& names)
-        : StateText(names), regions_(regions), request_(request), names_(names) {}
+        : regions_(regions), request_(request), names_(names) {}
 
     void append(const ShownRegion& region) {
         const auto place = std::size_t(region.polygon.index);
