@@ -47,7 +47,7 @@ class PlyBody {
 public:
     /// The words are those of an ASCII file, after its header.
     PlyBody(PlyFormat format, std::string_view bytes, TextWords words, PlyLayout layout)
-        : format_(format), layout_(layout), bytes_(bytes), words_(words) {}
+        : format_(format), layout_(layout), bytes_(bytes), words_(std::move(words)) {}
 
     std::size_t bytes_left() const { return is_text() ? words_.bytes_left() + 1 : bytes_.size(); }
 

@@ -186,14 +186,14 @@ private:
     void add(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
         const PolygonAdmission admitted = exact_scene::admit_polygon(polygon);
         warn_of_dropped(position, admitted.dropped);
-        std::vector<ScenePolygon> parts;
-        if (admitted.admission == Admission::not_convex) {
-            parts = exact_scene::cut_into_convex_parts(polygon);
-            warn_of_parts(position, parts.size());
-        } else if (admitted.admission == Admission::admitted) {
-            parts.push_back(std::move(polygon));
+        if (admitted.admission == Admission::admitted) {
+            scene_.polygons.push_back(std::move(polygon));
+            return;
         }
+        std::vector<ScenePolygon> parts;
+        if (admitted.admission == Admission::not_convex) parts = exact_scene::cut_into_convex_parts(polygon);
         if (parts.empty()) refuse_shape(node, polygon, admitted.admission, false);
+        warn_of_parts(position, parts.size());
         add_parts(std::move(parts), part_ids);
     }
 
