@@ -12,12 +12,12 @@ Picture told_to_nobody(RunRequest request) {
         if (event.get_if<event::Pop>() || event.get_if<event::Polygon>() || event.get_if<event::PopList>()) {
             request.progress();
         }
-        if (request.loses) losses.hear(event);
+        if (request.loses != nullptr) losses.hear(event);
     });
-    request.detail = request.loses ? Detail::polygons : Detail::windows;  // planes from level polygons on
+    request.detail = request.loses != nullptr ? Detail::polygons : Detail::windows;  // planes from level polygons on
     request.sink = &sink;
-    const Picture picture = told_run(request);
-    if (request.loses) *request.loses = losses.any();
+    Picture picture = told_run(request);
+    if (request.loses != nullptr) *request.loses = losses.any();
     return picture;
 }
 
