@@ -116,7 +116,7 @@ TEST_CASE("A curve that leaves the area is named wherever it is drawn") {
     }
 }
 
-TEST_CASE("The printed text's writes outside the area are told with their pixels, the first ones one by one") {
+TEST_CASE("A command names the pixels outside the area that the printed text writes, the first ones one by one") {
     // As printed, ShowLine also scans the row and the column just past the area, so a polygon over all 16 x 16 pixels is written beyond them.
     const Workplace work;
     const std::string scene =

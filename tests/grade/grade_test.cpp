@@ -748,7 +748,7 @@ TEST_CASE("Judging: a row may be cut at the area, but nowhere else") {
 }
 
 TEST_CASE("Judging: the false claim of the first step is named, also if it is found after others") {
-    // Of the four parts of the window only one is reported, and that one is called empty, though the square covers it.
+    // The window has four parts. The program reports one, and calls it empty, though the square covers it.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(-1, -1, 9, 9, .25).build();
     StudentRun run = run_of(scene, Method::warnock, "double", Edition::corrected, Detail::windows);
     run.events.erase(run.events.begin() + 2, run.events.end());  // the first window is pushed and popped
@@ -808,7 +808,7 @@ TEST_CASE("Judging: numbers that happen to be floats do not make a program one i
     CHECK(single.right());
 }
 
-TEST_CASE("Judging: on the scenes for students a bias of the depths is told, however the program computes") {
+TEST_CASE("Judging: the scenes for students show a bias of the depths, however the program computes") {
     // Painted by the depths z + 0.004 i of the polygons i, with nothing else reported, as a program in float.
     const auto is_wrong = [](const AdmittedScene& scene, double bias) {
         Scene biased = *scene;

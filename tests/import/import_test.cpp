@@ -320,7 +320,7 @@ TEST_CASE("colours of materials, vertices and faces come into the scene") {
     }
 }
 
-TEST_CASE("what a scene cannot keep is told with its line") {
+TEST_CASE("import names what a scene cannot keep, with its line") {
     const std::string points = "v 0 0 0\nv 4 0 0\nv 0 3 0\n", face = "f 1 2 3\n",
                       off = "OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n";
     const std::string ply =

@@ -93,7 +93,7 @@ std::uint64_t memory_of(int process) {
     return kibibytes << 10;
 }
 
-/// Of the process and of those that it has waited for, in clock ticks.
+/// The processor time of the process and of those that it has waited for, in clock ticks.
 std::uint64_t ticks_of(int process) {
     std::ifstream in(folder_of(process) + "/stat");
     std::string line;
