@@ -509,18 +509,18 @@ TEST_CASE("Judging Weiler and Atherton: the parts of a piece are those inside an
     };
     const ToldLoop b = rectangle(4, 4, 12, 12);
     CHECK(wrong([&](event::Clipped& e) { return e.inside = {rectangle(4, 4, 12, 8)}, true; }) ==
-          "WA5: of the piece of A an area of 32 lies inside of that of B: its area there is 64, and 32 of what is told "
-          "is wrong");
+          "WA5: of the piece of A an area of 32 lies inside of that of B: its area there is 64, and 32 of the told "
+          "area is wrong");
     CHECK(wrong([&](event::Clipped& e) { return e.inside = {}, true; }) ==
-          "WA5: of the piece of A an area of 0 lies inside of that of B: its area there is 64, and 64 of what is told "
-          "is wrong");
+          "WA5: of the piece of A an area of 0 lies inside of that of B: its area there is 64, and 64 of the told "
+          "area is wrong");
     CHECK(wrong([&](event::Clipped& e) { return e.outside = {rectangle(0, 0, 16, 16)}, true; }) ==
-          "WA5: of the piece of A an area of 256 lies outside of that of B: its area there is 192, and 64 of what is "
-          "told is wrong");
+          "WA5: of the piece of A an area of 256 lies outside of that of B: its area there is 192, and 64 of the "
+          "told area is wrong");
     // As large as the part outside, but 64 of it lie inside, so that as much is missing.
     CHECK(wrong([&](event::Clipped& e) { return e.outside = {rectangle(0, 0, 16, 12)}, true; }) ==
-          "WA5: of the piece of A an area of 192 lies outside of that of B: its area there is 192, and 128 of what is "
-          "told is wrong");
+          "WA5: of the piece of A an area of 192 lies outside of that of B: its area there is 192, and 128 of the "
+          "told area is wrong");
     CHECK(wrong([&](event::Clipped& e) { return e.inside = {reversed(b)}, true; }) ==
           "WA5: the part of A inside of B runs counterclockwise around an area of 64: on the screen outlines run "
           "clockwise, and holes "
