@@ -533,6 +533,29 @@ TEST_CASE("Judging Weiler and Atherton: the parts of a piece are those inside an
     CHECK(wrong_of(judgement_of(run)) == "WA5: the piece of A lies outside of that of B: an area of 64 lies in both");
 }
 
+TEST_CASE("Judging Weiler and Atherton: a row reaches from one outline of a visible region to another, through it") {
+    // The near square B from (4, 4) to (12, 12) hides the middle of A. Row 6 meets A's visible region from 0 to 4 and from 12 to 16.
+    const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .125).quad(4, 4, 12, 12, .5).build();
+    struct Case {
+        double left, right;
+        bool is_right;
+    };
+    for (const Case& each : {Case{0, 4, true}, Case{12, 16, true}, Case{4, 12, true}, Case{0, 16, false},
+                             Case{0, 4.25, false}, Case{0, 3.75, false}, Case{0.25, 4, false}, Case{-1, 4, false}}) {
+        CAPTURE(each.left);
+        CAPTURE(each.right);
+        const auto change = [&](event::Row& e) {
+            if (e.row != 6 || e.left.number != 0) return false;
+            return e.left = each.left, e.right = each.right, true;
+        };
+        CHECK(with_changed<event::Row>(scene, Method::weiler_atherton, change).wrong.has_value() != each.is_right);
+    }
+    const auto too_long = [](event::Row& e) { return e.row == 6 && e.left.number == 0 && (e.right = 5, true); };
+    CHECK(wrong_of(with_changed<event::Row>(scene, Method::weiler_atherton, too_long)) ==
+          "PR1: on row 6 a visible region goes from x = 0 to 5: the outlines of the visible regions meet that row at "
+          "x = 0, 4, 12, 16");
+}
+
 namespace {
 
 /// A curve at height 4 and one at height 8, and a third that comes down from 1 to 11 through both, at x = 3 and 7.

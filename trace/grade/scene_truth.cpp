@@ -439,7 +439,7 @@ bool SceneTruth::same_coordinate(double told, double right, double times) const 
     return std::abs(told - right) * times <= 64 * exactly_->open(exactly_->slack, told);
 }
 
-bool SceneTruth::may_coincide(double v, double w) const { return std::abs(v - w) <= 64 * exactly_->slack; }
+double SceneTruth::coincidence() const { return 64 * exactly_->slack; }
 
 bool SceneTruth::meets(int polygon, const Window& window) const {
     const ExactPolygon& own = exactly_->at(polygon);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -103,8 +104,9 @@ public:
     std::optional<Ends> ends(int polygon, double y) const;
     /// Whether a told coordinate is the right one, within 64 times the tolerance. An error may have been multiplied by `times`.
     bool same_coordinate(double told, double right, double times = 1) const;
-    /// Whether a program may take two coordinates for the same, within 64 times the tolerance.
-    bool may_coincide(double v, double w) const;
+    /// Whether a program may take two coordinates for the same: they differ by at most `coincidence`, 64 times the tolerance.
+    bool may_coincide(double v, double w) const { return std::abs(v - w) <= coincidence(); }
+    double coincidence() const;
 
     /// Whether the interiors of polygon and window overlap.
     bool meets(int polygon, const Window& window) const;

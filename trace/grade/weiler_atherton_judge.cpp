@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vidno::grading {
 
@@ -177,6 +178,78 @@ void WeilerAthertonJudge::judge(const event::Show& e) {
                          "из неё площадь {} лежит в уже показанной видимой области {}"},
                         common, id(before->polygon.index))};
     }
+}
+
+namespace {
+
+/// A point of an outline on a row's line, and how far it moves along the row if the row moves by 1.
+struct RowCrossing {
+    double x, slope;
+};
+
+/// Where the outlines of a region meet the line at y, from left to right. An end so near to it may lie on it.
+std::vector<RowCrossing> crossings(const RegionLoops& region, double y, double near) {
+    std::vector<RowCrossing> found;
+    for (const auto& loop : region) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const ValuePoint &p = loop[i], &q = loop[(i + 1) % loop.size()];
+            const double px = p.x.number, py = p.y.number, qx = q.x.number, qy = q.y.number;
+            const auto slope = (qx - px) / (qy - py);
+            if (std::min(py, qy) < y && y < std::max(py, qy)) found.push_back({px + (y - py) * slope, slope});
+            if (std::abs(py - y) <= near) found.push_back({px, 0});
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    return found;
+}
+
+}  // namespace
+
+/// Whether a row from `left` to `right` reaches from one outline of the region to another, through it.
+bool WeilerAthertonJudge::crosses(const RegionLoops& region, double y, double left, double right) const {
+    const double near = truth().coincidence();
+    const auto ends = crossings(region, y, near);
+    const auto is_end = [&](double x) {
+        return std::any_of(ends.begin(), ends.end(), [&](const RowCrossing& end) {
+            return truth().same_coordinate(x, end.x, 1 / std::max(1.0, std::abs(end.slope)));
+        });
+    };
+    if (!is_end(left) || !is_end(right)) return false;
+    std::vector<double> stops{left};
+    for (const RowCrossing& each : ends) {
+        if (left < each.x && each.x < right) stops.push_back(each.x);
+    }
+    stops.push_back(right);
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        if (truth().may_coincide(stops[i], stops[i + 1])) continue;
+        // A row through a vertex may take the region just above it or just below it.
+        const double middle = (stops[i] + stops[i + 1]) / 2;
+        if (!SceneTruth::is_in(region, middle, y - near) && !SceneTruth::is_in(region, middle, y + near)) return false;
+    }
+    return true;
+}
+
+/// A row must be that of a region shown before. It does not say of which, and the pixels on its ends may be painted for another polygon.
+void WeilerAthertonJudge::judge(const event::Row& e) const {
+    const double y = e.row + 0.5, left = e.left.number, right = e.right.number;
+    const auto& visible = state().weiler_atherton().visible();
+    const auto is_row_of = [&](const auto& each) { return crosses(each->region, y, left, right); };
+    if (!tells_regions_ || !(left < right) || std::any_of(visible.begin(), visible.end(), is_row_of)) return;
+    std::set<double> ends;
+    for (const auto& each : visible) {
+        for (const RowCrossing& end : crossings(each->region, y, 0)) ends.insert(end.x);
+    }
+    std::string list;
+    for (const double x : ends) list.append(list.empty() ? "" : ", ").append(in_words(x));
+    throw False{Symptom::edge,
+                say({"on row {} a visible region goes from x = {} to {}",
+                     "в строке {} видимая область занимает от x = {} до {}"},
+                    e.row, left, right),
+                ends.empty()
+                    ? say({"no visible region meets that row's line", "ни одна видимая область её не пересекает"})
+                    : say({"the outlines of the visible regions meet that row at x = {}",
+                           "контуры видимых областей пересекают эту строку при x = {}"},
+                          list)};
 }
 
 void WeilerAthertonJudge::judge(const event::Paint& e) {

@@ -33,11 +33,13 @@ private:
     void judge(const event::Behind& e);
     void judge(const event::Order& e);
     void judge(const event::Show& e);
+    void judge(const event::Row& e) const;
     void judge(const event::Paint& e);
 
     void judge_vertices(int polygon, const RegionLoops& region, const std::string& what) const;
     void judge_region(int polygon, const RegionLoops& region, const std::string& what) const;
     void judge_parts(const event::Clipped& e) const;
+    bool crosses(const RegionLoops& region, double y, double left, double right) const;
     std::string not_shown() const;
     void judge_order(double z, double other, Sign order);
 
