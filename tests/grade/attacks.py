@@ -38,6 +38,11 @@ def most(limit, words):
     return lambda report: any(int(number) <= limit for number in re.findall(rf"\| reached: {words}: (\d+)", report))
 
 
+def few_processes(report):
+    """A control group refuses more of them. Without one, the run is stopped."""
+    return re.search(TOO_MANY, report) if COUNT in report else most(PROCESSES, "(?:processes|threads)")(report)
+
+
 # An attack, what the report says of it in the sandbox, and what it says without: a word that is missing then, or another report.
 ATTACKS = [
     *[(f"read {what}", HELD, FILES) for what in [
@@ -63,8 +68,8 @@ ATTACKS = [
     ("make many files", TOO_MUCH, BYTES),
     ("write one large file", TOO_MUCH, TOO_MUCH),
     ("print much", TOO_MUCH, TOO_MUCH),
-    ("start processes", most(PROCESSES, "processes"), TOO_MANY),
-    ("start threads", most(PROCESSES, "threads"), TOO_MANY),
+    ("start processes", most(PROCESSES, "processes"), few_processes),
+    ("start threads", most(PROCESSES, "threads"), few_processes),
     ("open many files", most(256, "open files"), most(256, "open files")),
     *[(what, TOO_LONG, TOO_LONG) for what in [
         "run long", "run long in children", "run long one child after another", "run on after the signal", "sleep"]],
@@ -254,6 +259,8 @@ def main():
             for each in tried:
                 print("  " + each.result())
             print(f"  {time.monotonic() - begin:.1f} s")
+        groups = [str(each) for each in pathlib.Path("/sys/fs/cgroup").glob("**/vidno-*")]
+        check(not groups, "a control group remains", *groups)
     finally:
         secret.unlink(missing_ok=True)
         shutil.rmtree(PLACE)

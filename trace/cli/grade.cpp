@@ -160,8 +160,14 @@ Grading grading_of(const GradeOptions& options) {
                                   "Песочницы нет: {}. Программе доступны ваши файлы и сеть.\n"},
                                  escaped_for_terminal(sandbox.missing));
     }
-    if (const std::string missing = not_guaranteed(grading.limits, grading.say); !missing.empty())
-        std::cerr << grading.say({"Not guaranteed here: {}.\n", "Здесь не обеспечивается: {}.\n"}, missing);
+    const auto [guarantees, system_limits] = lacking_for(grading.limits, grading.say);
+    if (!guarantees.empty())
+        std::cerr << grading.say({"Not guaranteed here: {}.\n", "Здесь не обеспечивается: {}.\n"}, guarantees);
+    if (!system_limits.empty()) {
+        std::cerr << grading.say({"The system does not limit here, so it is counted every 10 to 100 ms: {}.\n",
+                                  "Система здесь не ограничивает, поэтому каждые 10–100 мс подсчитывается: {}.\n"},
+                                 system_limits);
+    }
     return grading;
 }
 

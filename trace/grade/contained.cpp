@@ -22,6 +22,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "grade/control_group.h"
 #include "grade/sandbox.h"
 #include "output.h"
 #include "refused.h"
@@ -132,6 +133,7 @@ struct ProgramStart {
     std::vector<Descriptor> inherited;  // by the sandbox
     std::string folder;                 // where the program begins; empty in a sandbox
     int output = -1, handshake = -1;    // without a sandbox, the end of the handshake is closed when the program begins
+    const ControlGroup* group = nullptr;
 };
 
 /// Runs in the child between fork and exec, so it calls only async-signal-safe functions.
@@ -144,13 +146,13 @@ struct ProgramStart {
     dup2(start.output, STDERR_FILENO);
     close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
     for (const Descriptor& each : start.inherited) fcntl(each.number(), F_SETFD, 0);
-    bool can_start = true;
+    bool can_start = start.group->join();
     if (in_a_sandbox) {
-        can_start =
-            dup2(start.handshake, handshake_number) >= 0 && fcntl(handshake_number, F_SETFD, 0) == 0 && leave_root();
+        can_start = can_start && dup2(start.handshake, handshake_number) >= 0 &&
+                    fcntl(handshake_number, F_SETFD, 0) == 0 && leave_root();
     } else {
         prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-        can_start = limit_process(0, limits, false) && chdir(start.folder.c_str()) == 0;
+        can_start = can_start && limit_process(0, limits, false) && chdir(start.folder.c_str()) == 0;
     }
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     sigset_t none;
@@ -221,12 +223,22 @@ int without_bubblewrap(int status) {
     return code > signalled && code <= signalled + signals ? code - signalled : status;
 }
 
+constexpr int of_bubblewrap = 2;  // processes
+
+/// The system counts the files in memory and the sandbox's own processes, too.
+ControlGroup group_for(const Limits& limits) {
+    constexpr std::uint64_t memory_of_bubblewrap = 16 * mebibyte;
+    return {limits.memory + limits.written + memory_of_bubblewrap,
+            limits.processes + (limits.bubblewrap.empty() ? 0 : of_bubblewrap)};
+}
+
 /// A run under supervision, in the keeper.
 class WatchedRun {
 public:
     WatchedRun(const ProgramStart& start, Descriptor output, Descriptor handshake, Descriptor folder,
                const Limits& limits)
         : limits_(limits),
+          group_(*start.group),
           output_(std::move(output)),
           handshake_(std::move(handshake)),
           folder_(std::move(folder)),
@@ -266,6 +278,7 @@ public:
             throw Refused(said_.empty() ? "the sandbox cannot be created" : said_.substr(0, said_.find('\n')));
         const bool wrote_much = printed_ + written_in(folder_.number(), on_this_machine_) > limits_.written;
         if (!stopped_ && wrote_much) stopped_ = Ending::too_much_output;
+        if (!stopped_ && group_.ran_out_of_memory()) stopped_ = Ending::out_of_memory;
         Ended ended{Ending::done, 0, said_, text_written(folder_.number(), wanted, limits_.written)};
         if (stopped_) {
             ended.ending = *stopped_;
@@ -333,10 +346,9 @@ private:
         const auto now = Clock::now();
         // Before it begins, a process still has the memory of the grader.
         const Used used = is_ready_ ? used_by_descendants() : Used{};
-        constexpr int of_bubblewrap = 2;
         if (printed_ + written_in(folder_.number(), on_this_machine_) > limits_.written)
             stopped_ = Ending::too_much_output;
-        if (used.memory > limits_.memory) stopped_ = Ending::out_of_memory;
+        if (used.memory > limits_.memory || group_.ran_out_of_memory()) stopped_ = Ending::out_of_memory;
         if (used.processes > limits_.processes + (in_a_sandbox_ ? of_bubblewrap : 0))
             stopped_ = Ending::too_many_processes;
         if (now > begun_ + 2 * limits_.time || used.time > limits_.time + std::chrono::seconds(1))
@@ -347,6 +359,7 @@ private:
     }
 
     const Limits& limits_;
+    const ControlGroup& group_;
     Descriptor output_, handshake_, folder_, signals_;
     std::string on_this_machine_;
     bool in_a_sandbox_, is_ready_ = false;
@@ -367,7 +380,8 @@ Ended kept(const std::string& program, const std::vector<FileOfRun>& given, cons
     const bool in_a_sandbox = !limits.bubblewrap.empty();
     std::optional<TemporaryFolder> folder;
     if (!in_a_sandbox) folder.emplace();
-    const EndsDescendants always;  // before its folder is removed
+    const ControlGroup group = group_for(limits);
+    const EndsDescendants always;  // before its folder and its group are removed
     const std::string place = in_a_sandbox ? folder_inside : folder->path();
     Variables variables{{wanted.variable, place + "/" + wanted.name}};
     std::vector<FileInside> inside;
@@ -388,6 +402,7 @@ Ended kept(const std::string& program, const std::vector<FileOfRun>& given, cons
     ProgramStart start;
     start.output = out.number();
     start.handshake = far.number();
+    start.group = &group;
     Descriptor own_folder;
     if (in_a_sandbox) {
         variables.insert(variables.end(),
@@ -454,37 +469,42 @@ Ended from_text(const std::string& text) {
     return {Ending(ending), code, text.substr(begin, size), text.substr(begin + size)};
 }
 
-/// By what a guarantee is given.
-enum class Means : unsigned char { sandbox, filter, counting };
+/// What this machine has to contain a run.
+struct Here {
+    bool sandbox, filter, descendants, memory_limit, process_limit;
+};
+
+enum class Given : unsigned char { no, by_counting, yes };
 
 struct Guarantee {
     Bilingual what;
-    std::initializer_list<Means> needs;
+    Given (*given)(const Here&);
 };
+
+constexpr auto in_the_sandbox = [](const Here& here) { return here.sandbox ? Given::yes : Given::no; };
 
 /// docs/grading.md describes them, and what always holds.
 const Guarantee guarantees[] = {
-    {{"which files it reads", "какие файлы она читает"}, {Means::sandbox}},
-    {{"where it writes", "куда она пишет"}, {Means::sandbox}},
-    {{"how much it writes in all", "сколько она пишет всего"}, {Means::sandbox}},
-    {{"that no file of it remains", "что от неё не останется файлов"}, {Means::sandbox}},
-    {{"that it has no rights of yours", "что у неё нет ваших прав"}, {Means::sandbox}},
-    {{"that it reaches no network and no other process", "что ей недоступны сеть и другие процессы"}, {Means::sandbox}},
-    {{"how many processes it runs", "сколько процессов она запускает"}, {Means::sandbox, Means::counting}},
-    {{"that no process of it survives", "что её процессы не переживут её"}, {Means::counting}},
-    {{"how much memory its processes take together", "сколько памяти занимают её процессы вместе"}, {Means::counting}},
+    {{"which files it reads", "какие файлы она читает"}, in_the_sandbox},
+    {{"where it writes", "куда она пишет"}, in_the_sandbox},
+    {{"how much it writes in all", "сколько она пишет всего"}, in_the_sandbox},
+    {{"that no file of it remains", "что от неё не останется файлов"}, in_the_sandbox},
+    {{"that it has no rights of yours", "что у неё нет ваших прав"}, in_the_sandbox},
+    {{"that it reaches no network and no other process", "что ей недоступны сеть и другие процессы"}, in_the_sandbox},
+    {{"how many processes it runs", "сколько процессов она запускает"},
+     [](const Here& here) {
+         return here.process_limit || (here.sandbox && here.descendants) ? Given::yes : Given::no;
+     }},
+    {{"that no process of it survives", "что её процессы не переживут её"},
+     [](const Here& here) { return here.descendants ? Given::yes : Given::no; }},
+    {{"how much memory its processes take together", "сколько памяти занимают её процессы вместе"},
+     [](const Here& here) {
+         if (here.memory_limit) return Given::yes;
+         return here.descendants ? Given::by_counting : Given::no;
+     }},
     {{"that it takes no memory of the system besides", "что она не займёт ещё и память системы"},
-     {Means::sandbox, Means::filter}},
+     [](const Here& here) { return here.sandbox && here.filter ? Given::yes : Given::no; }},
 };
-
-bool is_there(Means means, const Limits& limits) {
-    switch (means) {
-        case Means::sandbox: return !limits.bubblewrap.empty();
-        case Means::filter: return can_refuse_calls();
-        case Means::counting: return can_find_descendants();
-    }
-    return false;
-}
 
 }  // namespace
 
@@ -507,14 +527,18 @@ Sandbox find_sandbox() {
     return {{}, "bubblewrap is not installed"};
 }
 
-std::string not_guaranteed(const Limits& limits, const Words& say) {
-    std::string text;
+Lacking lacking_for(const Limits& limits, const Words& say) {
+    const ControlGroup group = group_for(limits);
+    const Here here{!limits.bubblewrap.empty(), can_refuse_calls(), can_find_descendants(), group.limits_memory(),
+                    group.limits_processes()};
+    Lacking lacking;
     for (const Guarantee& each : guarantees) {
-        const bool holds =
-            std::all_of(each.needs.begin(), each.needs.end(), [&](Means means) { return is_there(means, limits); });
-        if (!holds) text.append(text.empty() ? "" : "; ").append(say(each.what));
+        const Given given = each.given(here);
+        if (given == Given::yes) continue;
+        std::string& list = given == Given::no ? lacking.guarantees : lacking.system_limits;
+        list.append(list.empty() ? "" : "; ").append(say(each.what));
     }
-    return text;
+    return lacking;
 }
 
 std::string words_of(const Ended& ended, const Limits& limits, const Words& say) {

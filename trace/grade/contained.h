@@ -51,8 +51,12 @@ struct Sandbox {
 };
 Sandbox find_sandbox();
 
-/// What is not guaranteed with these limits on this machine, in words; empty if everything is.
-std::string not_guaranteed(const Limits& limits, const Words& say);
+/// What this machine lacks for these limits, in words; empty if nothing.
+struct Lacking {
+    std::string guarantees;     // what is not guaranteed
+    std::string system_limits;  // what this program counts every 10 to 100 ms, because the system does not limit it
+};
+Lacking lacking_for(const Limits& limits, const Words& say);
 
 /// A file of a run. The environment variable tells the program where it is.
 struct FileOfRun {
