@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that picture.py accepts traces of all methods, and rejects them after a change.
+"""Checks that traces of all methods paint what they say, have the events of FORMAT.md, and decide as their operands say, and that this
+is noticed after a change.
 
-    run.py VIDNO LESSONS WORK        the program, the folder of lessons, a folder for traces
+    run.py VIDNO LESSONS WORK FORMAT        the program, the folder of lessons, a folder for traces, FORMAT.md
 """
 
 import json
@@ -9,7 +10,9 @@ import pathlib
 import subprocess
 import sys
 
+import decisions
 import picture
+import tables
 
 COURSE = ["warnock", "zbuffer"]
 CURVES = ["floating-horizon"]
@@ -30,6 +33,10 @@ def runs(choices):
             yield bodies, ["--method", method, "--kernel", kernel, "--detail", LEVELS[place % 3]]
         for level in LEVELS:
             yield bodies, ["--method", method, "--detail", level, "--check"]
+        if method not in family or method in of_any_scene:
+            for kernel in kernels:
+                options = ["--method", method, "--kernel", kernel, "--detail", "signs", "--check"]
+                yield "01-four-relations/cycle.json", options + ["--max-events", "1000"]
     for scene in ("09-usual-mistakes/mistakes.json", "01-four-relations/cycle.json"):
         for method in COURSE + of_any_scene + others:
             yield scene, ["--method", method, "--kernel", "float", "--detail", "windows"]
@@ -78,6 +85,35 @@ def expect_refused(lines, what):
     raise AssertionError(f"taken: {what}")
 
 
+def changed_decision(events):
+    """The events with another right answer to their last decision. None if there is none."""
+    for place in range(len(events) - 1, -1, -1):
+        right = events[place].get("exact")
+        if events[place].get("operands") and right is not None:
+            other = [right[0] + 1, right[1] + 2] if isinstance(right, list) else not right
+            return [*events[:place], {**events[place], "exact": other}, *events[place + 1 :]]
+    return None
+
+
+def check_events(format, lines, what):
+    """Returns how many decisions were repeated."""
+    header, *events = map(json.loads, lines)
+    events = [event for event in events if "e" in event]
+    try:
+        format.check_events(header, events)
+        count = decisions.check(format, header, events)
+    except tables.Wrong as fault:
+        raise AssertionError(what) from fault
+    changed = changed_decision(events)
+    if changed:
+        try:
+            decisions.check(format, header, changed)
+        except tables.Wrong:
+            return count
+        raise AssertionError(f"taken: {what} with another right answer")
+    return count
+
+
 def check_trace(lines, what, partial):
     events = picture.check(lines)
     assert events == len(lines) - 2, what
@@ -89,10 +125,11 @@ def check_trace(lines, what, partial):
     return bool(changed)
 
 
-def main(vidno, lessons, work):
+def main(vidno, lessons, work, format):
+    format = tables.Tables(pathlib.Path(format).read_text(encoding="utf-8"))
     work = pathlib.Path(work)
     work.mkdir(parents=True, exist_ok=True)
-    total = changed = 0
+    total = complete = changed = repeated = 0
     choices = json.loads(subprocess.run([vidno, "methods", "--json"], stdout=subprocess.PIPE, check=True).stdout)
     for scene, options in runs(choices):
         trace = work / ("trace.jsonl.gz" if total % 10 == 0 else "trace.jsonl")
@@ -100,14 +137,19 @@ def main(vidno, lessons, work):
         told = subprocess.run(
             [vidno, "trace", f"{lessons}/{scene}", *options, "-o", trace], stderr=subprocess.PIPE, text=True
         )
-        partial = "--max-events" in options
+        lines = list(picture.lines_of(str(trace)))
+        partial = "--max-events" in options and "partial" in json.loads(lines[-1])["end"]
         losses = ("the run ends here", "a part is left out", "the write is skipped", "leaves the range")
         expected = 1 if partial or any(loss in told.stderr for loss in losses) else 0
         assert told.returncode == expected, f"{what}\n{told.stderr}"
-        changed += check_trace(list(picture.lines_of(str(trace))), what, partial)
+        changed += check_trace(lines, what, partial)
+        repeated += check_events(format, lines, what)
         total += 1
-    assert changed > total * 9 // 10, "hardly anything was painted"
+        complete += not partial
+    assert changed > complete * 9 // 10, "hardly anything was painted"
+    assert repeated > 20000, "hardly anything was decided"
     print(f"{total} traces are what they say, {changed} are refused once another thing is painted")
+    print(f"{repeated} decisions were repeated from their operands")
 
 
 if __name__ == "__main__":
