@@ -2,6 +2,7 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import type { Rollup } from 'vite';
 import { atlas } from './plugins/atlas.js';
+import { engine } from './plugins/engine.js';
 import { library } from './plugins/library.js';
 import { lessons } from './plugins/lessons.js';
 import { singleFile } from './plugins/single-file.js';
@@ -17,6 +18,7 @@ export default defineConfig({
   plugins: [
     version(),
     workerCode(workers),
+    engine(),
     lessons(resolve(traces)),
     library(resolve(wasm)),
     atlas(resolve('../lessons/failures')),

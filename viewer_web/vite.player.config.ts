@@ -1,13 +1,10 @@
 import { defineConfig } from 'vite';
-import type { Rollup } from 'vite';
+import { engine } from './plugins/engine.js';
 import { licensed } from './plugins/licensed.js';
-import { workerCode } from './plugins/worker-code.js';
-
-const workers: Rollup.OutputChunk[] = [];
 
 /** The player as one script for other pages, which defines the element `vidno-player`. */
 export default defineConfig({
-  plugins: [workerCode(workers), licensed(workers)],
+  plugins: [engine(), licensed()],
   build: {
     target: 'es2022',
     emptyOutDir: false,

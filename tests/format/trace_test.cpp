@@ -250,33 +250,6 @@ TEST_CASE("FORMAT.md: the worked example is what the program writes") {
     CHECK(traced(admit(reader.header().scene), choice, reader.header().detail).text == example);
 }
 
-TEST_CASE("The index of lines has the position and the name of each event") {
-    const AdmittedScene scene = small_scene();
-    for (const Method method : {Method::warnock, Method::zbuffer}) {
-        const Choice choice{method, Edition::corrected, "double"};
-        std::string text;
-        LineIndex index;
-        TraceWriter writer(
-            header_of(scene, choice, Detail::signs), [&](std::string_view part) { text += part; },
-            TraceWriter::no_limit, &index);
-        writer.finish(run(choice.request(scene, Detail::signs, &writer)));
-
-        std::istringstream lines(text);
-        std::string line;
-        std::getline(lines, line);  // the header
-        std::size_t start = line.size() + 1;
-        REQUIRE(index.starts.size() == index.names.size() + 1);
-        for (std::size_t i = 0; i < index.names.size(); ++i) {
-            CHECK(index.starts[i] == start);
-            REQUIRE(std::getline(lines, line));
-            CHECK(line.starts_with("{\"e\":\"" + std::string(event_names[index.names[i]]) + "\","));
-            start += line.size() + 1;
-        }
-        CHECK(index.starts.back() == start);
-        CHECK(text.substr(start).starts_with("{\"end\""));
-    }
-}
-
 TEST_CASE("A limit keeps the events so far and marks the trace as partial") {
     const AdmittedScene scene = small_scene();
     const Choice choice = all_choices().front();

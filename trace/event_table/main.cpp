@@ -16,7 +16,7 @@ int main(int count, char** words) try {
     using namespace vidno;
     const std::vector<std::string> arguments(words + 1, words + count);
     if (arguments.size() == 4 && arguments[0] == "page") {
-        write_file(arguments[3] + "/event-table.ts", event_types(read_file(arguments[1])));
+        write_file(arguments[3] + "/event-table.ts", page_types(read_file(arguments[1])));
         write_file(arguments[3] + "/choices.json", choices_json());
         write_file(arguments[3] + "/format-words.json", format_words_json());
         write_file(arguments[3] + "/scene-names.json", scene_names_json());

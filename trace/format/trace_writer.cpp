@@ -29,18 +29,14 @@ std::string hash_text(std::string_view bytes) {
 std::string picture_hash(const Picture& picture) { return hash_text(rgb_rows(picture)); }
 
 TraceWriter::TraceWriter(std::string_view first_line, PolygonNames names, std::string_view kernel, Write write,
-                         std::uint64_t most_events, LineIndex* index)
-    : lines_(std::move(names)), losses_(kernel), write_(std::move(write)), most_events_(most_events), index_(index) {
+                         std::uint64_t most_events)
+    : lines_(std::move(names)), losses_(kernel), write_(std::move(write)), most_events_(most_events) {
     text_ += first_line;
 }
 
 void TraceWriter::hear(const EventView& event) {
     if (events_ == most_events_) throw EventLimitReached{};
     ++events_;
-    if (index_) {
-        mark_line();
-        index_->names.push_back(std::uint8_t(event.place()));
-    }
     lines_.line(text_, event);
     losses_.hear(event);
     if (text_.size() > block) flush();
@@ -53,7 +49,6 @@ void TraceWriter::finish(std::string_view result, const std::string& hash) {
 void TraceWriter::finish_partial() { finish_with(R"("partial":true)"); }
 
 void TraceWriter::finish_with(std::string_view rest) {
-    if (index_) mark_line();
     text_ += std::string_view(R"({"end":{"events":)");
     append_integer(text_, events_);
     text_ += ',';
@@ -64,7 +59,6 @@ void TraceWriter::finish_with(std::string_view rest) {
 
 void TraceWriter::flush() {
     write_(text_.view());
-    written_ += text_.size();
     text_.clear();
 }
 

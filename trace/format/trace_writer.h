@@ -33,22 +33,15 @@ std::string picture_hash(const Picture& picture);
 /// Thrown to end a run that reaches its limit of events; finish_partial keeps the events so far.
 struct EventLimitReached {};
 
-/// The positions of the lines of a trace in its text, for callers that would otherwise have to search for them.
-struct LineIndex {
-    std::vector<std::uint32_t> starts;  // of each event, and of the last line
-    std::vector<std::uint8_t> names;    // for each event, its index in AllEvents
-};
-
 class TraceWriter final : public EventSink {
 public:
     using Write = std::function<void(std::string_view)>;
     static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-    /// The header belongs to a run of any kind. The index, if given, is for a text of less than 2^32 bytes.
+    /// The header belongs to a run of any kind.
     template <class Header = TraceHeader>
-    TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
-        : TraceWriter(header_json(header), polygon_names(header.scene), header.kernel, std::move(write), most_events,
-                      index) {}
+    TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit)
+        : TraceWriter(header_json(header), polygon_names(header.scene), header.kernel, std::move(write), most_events) {}
 
     /// Throws EventLimitReached instead of writing more events than the limit.
     void hear(const EventView& event) override;
@@ -67,9 +60,8 @@ private:
     static constexpr std::size_t block = std::size_t{1} << 16;
 
     TraceWriter(std::string_view first_line, PolygonNames names, std::string_view kernel, Write write,
-                std::uint64_t most_events, LineIndex* index);
+                std::uint64_t most_events);
 
-    void mark_line() { index_->starts.push_back(std::uint32_t(written_ + text_.size())); }
     void finish_with(std::string_view rest);
     void flush();
 
@@ -77,9 +69,7 @@ private:
     RunLosses losses_;
     Write write_;
     std::uint64_t most_events_;
-    LineIndex* index_;
     std::uint64_t events_ = 0;
-    std::uint64_t written_ = 0;  // bytes
     Text text_;
 };
 

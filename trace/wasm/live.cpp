@@ -1,8 +1,8 @@
-/// The library in a page: WebAssembly that makes a trace of a scene, with the same bytes as `vidno trace`, and sign maps, and that reads
+/// vidno.wasm: makes a trace of a scene for a page, with the same bytes as `vidno trace`, and what it shows about runs. replay.wasm reads
 /// traces.
 ///
-/// A caller reserves room for a request, writes it there, calls a function, and reads the resulting bytes in place. A request is a line
-/// of JSON, followed by a file. For a trace: the fields of its header except the scene, and two more; and the scene's file:
+/// exchange.h says how a page asks. A request is a line of JSON, followed by a file. For a trace: the fields of its header except the
+/// scene, and two more; and the scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
@@ -24,10 +24,7 @@
 ///
 /// with texts in both languages, `source` empty if nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and a description of
 /// what is seen at the step in `there`.
-///
-/// To read a trace: its first line, then blocks of whole lines. README.md says why, and how fast it is.
 
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -44,23 +41,10 @@
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
 #include "sign_map/mapped_decision_json.h"
-#include "wasm/reading.h"
+#include "wasm/exchange.h"
 
 namespace vidno {
 namespace {
-
-/// One request at a time, in the caller's thread.
-struct Live {
-    std::string request, messages;
-    Text made;
-    LineIndex lines;  // that of a trace, or of the block that was read last
-    std::unique_ptr<Reading> reading;
-};
-
-Live& live() {
-    static Live only;
-    return only;
-}
 
 struct Options {
     Method method{};  // of polygons
@@ -109,25 +93,25 @@ std::pair<std::string_view, std::string_view> parts(std::string_view request) {
     return {line, request.substr(std::min(line.size() + 1, request.size()))};
 }
 
-void write_run(Live& live, const Options& options, const auto& header, const auto& request) {
-    const auto write = [&](std::string_view text) { live.made += text; };
-    TraceWriter writer(header, write, options.most_events, &live.lines);
+void write_run(Exchange& page, const Options& options, const auto& header, const auto& request) {
+    const auto write = [&](std::string_view text) { page.made += text; };
+    TraceWriter writer(header, write, options.most_events);
     options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
 }
 
-void make_trace(Live& live) {
-    const auto [line, file] = parts(live.request);
+void make_trace(Exchange& page) {
+    const auto [line, file] = parts(page.request);
     const Kind kind = is_surface(file) ? Kind::curves : Kind::polygons;
     const Options options = read_json(line, "request", [&](const JsonNode& root) { return read_options(root, kind); });
     const auto& [method, edition, kernel, detail, check, most_events] = options;
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
-        write_run(live, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
+        write_run(page, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
                   FloatingHorizonRequest{kernel, edition, surface.curves, detail});
     } else {
-        const AdmittedScene scene = read_scene_for(kernel, file, live.messages);
+        const AdmittedScene scene = read_scene_for(kernel, file, page.messages);
         if (const auto reason = refusal_of(method, scene)) throw Refused("scene: " + *reason);
-        write_run(live, options, TraceHeader{method, edition, kernel.name(), detail, scene},
+        write_run(page, options, TraceHeader{method, edition, kernel.name(), detail, scene},
                   RunRequest{method, kernel, edition, scene, detail});
     }
 }
@@ -143,8 +127,8 @@ std::function<void()> limit(std::uint64_t most_events) {
     };
 }
 
-void make_findings(Live& live) {
-    const auto [line, file] = parts(live.request);
+void make_findings(Exchange& page) {
+    const auto [line, file] = parts(page.request);
     const Kind kind = is_surface(file) ? Kind::curves : Kind::polygons;
     const Options options = read_json(line, "request", [&](const JsonNode& root) { return read_options(root, kind); });
     const auto find = [&](auto request, Procedure method, const Area& area, const FindingsHeader& header) {
@@ -153,16 +137,16 @@ void make_findings(Live& live) {
         try {
             find_in(request, findings);
         } catch (const EventLimitReached&) {
-            live.messages += "the run is too long: the list ends before it\n";
+            page.messages += "the run is too long: the list ends before it\n";
         }
-        live.made += findings_jsonl(header, findings.findings());
+        page.made += findings_jsonl(header, findings.findings());
     };
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
         const FloatingHorizonRequest request{options.kernel, options.edition, surface.curves};
         find(request, Procedure::floating_horizon, surface.curves->area, findings_header(request, surface.name));
     } else {
-        const AdmittedScene scene = read_scene_for(options.kernel, file, live.messages);
+        const AdmittedScene scene = read_scene_for(options.kernel, file, page.messages);
         if (const auto reason = refusal_of(options.method, scene)) throw Refused("scene: " + *reason);
         const RunRequest request{options.method, options.kernel, options.edition, scene};
         find(request, choice_of(options.method).procedure, scene->area, findings_header(request));
@@ -189,10 +173,10 @@ MarginOptions read_margin_options(const JsonNode& root) {
             root.at("vertex").whole_number(0, most)};
 }
 
-void make_margin(Live& live) {
-    const auto [line, file] = parts(live.request);
+void make_margin(Exchange& page) {
+    const auto [line, file] = parts(page.request);
     const MarginOptions options = read_json(line, "request", read_margin_options);
-    const AdmittedScene scene = read_scene_for(options.kernel, file, live.messages);
+    const AdmittedScene scene = read_scene_for(options.kernel, file, page.messages);
     const auto polygon = std::find_if(scene->polygons.begin(), scene->polygons.end(),
                                       [&](const auto& each) { return each.id == options.polygon; });
     if (polygon == scene->polygons.end() || options.vertex >= int(polygon->vertices.size())) {
@@ -200,11 +184,11 @@ void make_margin(Live& live) {
     }
     const RunRequest request{options.method, options.kernel, options.edition, scene};
     const PolygonPlace place{int(polygon - scene->polygons.begin())};
-    live.made += margin_json(margin_of(request, options.step, place, options.vertex), scene);
+    page.made += margin_json(margin_of(request, options.step, place, options.vertex), scene);
 }
 
-void make_map(Live& live) {
-    const auto [line, file] = parts(live.request);
+void make_map(Exchange& page) {
+    const auto [line, file] = parts(page.request);
     const auto [kernel, side] = read_json(line, "request", [](const JsonNode& root) {
         root.require_keys({"kernel", "side"});
         const NamedKernel named = read_kernel(root.at("kernel"));
@@ -213,7 +197,7 @@ void make_map(Live& live) {
     });
     for (const auto& [computed, exact] :
          sign_map(read_mapped_decision(std::string(file), "decision"), kernel, side).cells) {
-        live.made += char('0' + 3 * place_of(computed) + place_of(exact));
+        page.made += char('0' + 3 * place_of(computed) + place_of(exact));
     }
 }
 
@@ -242,11 +226,11 @@ void append_run(Text& out, std::string_view key, const NamedRun& run) {
 }
 
 /// The description of a failure, and the step where it is seen.
-void make_failure(Live& live) {
-    const Failure failure = read_failure(live.request, "scene");
+void make_failure(Exchange& page) {
+    const Failure failure = read_failure(page.request, "scene");
     if (!failure.scene) throw Refused("scene: no scene shows it");
     const SeenFailure found = seen(failure);
-    Text& out = live.made;
+    Text& out = page.made;
     out += '{';
     append_words(out, "title", failure.title);
     append_words(out, "why", failure.why);
@@ -275,76 +259,24 @@ void make_failure(Live& live) {
     out += '}';
 }
 
-void open_trace(Live& live) { live.reading = std::make_unique<Reading>(live.request); }
-
-void read_block(Live& live) {
-    if (!live.reading) throw Refused("no trace is open");
-    live.reading->take(live.request, live.lines);
-}
-
-/// Runs `what`. False if it was refused; the messages then give the reason.
-bool make(void (*what)(Live&)) {
-    Live& live = vidno::live();
-    live.made.clear();
-    live.messages.clear();
-    live.lines.starts.clear();
-    live.lines.names.clear();
-    try {
-        what(live);
-        return true;
-    } catch (const std::exception& error) {
-        live.messages = error.what();
-        return false;
-    }
-}
-
 }  // namespace
 }  // namespace vidno
 
 extern "C" {
 
-/// The place where the caller writes a request of this many bytes.
-[[clang::export_name("request")]] char* vidno_request(std::size_t size) {
-    vidno::live().request.resize(size);
-    return vidno::live().request.data();
-}
-
 /// Makes the requested trace. False if it was refused; the messages then give the reason, otherwise warnings, one per line.
-[[clang::export_name("run")]] bool vidno_run() { return vidno::make(vidno::make_trace); }
+[[clang::export_name("run")]] bool vidno_run() { return vidno::attempt(vidno::make_trace); }
 
 /// Makes the requested map, or is refused in the same way: one character per place, '0' to '8', the row of p first. The digit is three
 /// times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
-[[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
+[[clang::export_name("map")]] bool vidno_map() { return vidno::attempt(vidno::make_map); }
 
 /// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way.
-[[clang::export_name("findings")]] bool vidno_findings() { return vidno::make(vidno::make_findings); }
+[[clang::export_name("findings")]] bool vidno_findings() { return vidno::attempt(vidno::make_findings); }
 
 /// Makes the requested margin, `vidno-margin/1`, or is refused in the same way.
-[[clang::export_name("margin")]] bool vidno_margin() { return vidno::make(vidno::make_margin); }
+[[clang::export_name("margin")]] bool vidno_margin() { return vidno::attempt(vidno::make_margin); }
+
 /// Makes the description of a failure, as JSON, or is refused in the same way.
-[[clang::export_name("failure")]] bool vidno_failure() { return vidno::make(vidno::make_failure); }
-
-/// Begins to read the trace whose first line is the request. False if it was refused.
-[[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }
-
-/// Reads a block of lines, each with its line feed, up to the first that is not an event in the form that a run writes, or that cannot
-/// happen. A page has another reader for those.
-[[clang::export_name("read")]] bool vidno_read() { return vidno::make(vidno::read_block); }
-
-/// The bytes of the result.
-[[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.view().data(); }
-[[clang::export_name("made_size")]] std::size_t vidno_made_size() { return vidno::live().made.size(); }
-
-/// For a trace, or the block that was read last: the number of events; the positions in its bytes where each event's line begins, and
-/// then the line after them, 32 bits each; and the number of each event's name, 8 bits.
-[[clang::export_name("events")]] std::size_t vidno_events() { return vidno::live().lines.names.size(); }
-[[clang::export_name("starts")]] const std::uint32_t* vidno_starts() { return vidno::live().lines.starts.data(); }
-[[clang::export_name("names")]] const std::uint8_t* vidno_names() { return vidno::live().lines.names.data(); }
-/// The name with this number, terminated by a zero; null if there is none.
-[[clang::export_name("name")]] const char* vidno_name(std::size_t number) {
-    return number < vidno::event_names.size() ? vidno::event_names[number].data() : nullptr;
-}
-
-[[clang::export_name("messages")]] const char* vidno_messages() { return vidno::live().messages.data(); }
-[[clang::export_name("messages_size")]] std::size_t vidno_messages_size() { return vidno::live().messages.size(); }
+[[clang::export_name("failure")]] bool vidno_failure() { return vidno::attempt(vidno::make_failure); }
 }

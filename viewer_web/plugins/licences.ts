@@ -1,6 +1,12 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import type { Rollup } from 'vite';
+
+const contents = fileURLToPath(new URL('../../trace/wasm/LICENCES.md', import.meta.url));
+
+/** The list of the library's components. */
+export const libraryContents = (): string => readFileSync(contents, 'utf8').trim();
 
 const ofPackage = /^.*\/node_modules\/(?:@[^/]+\/)?[^/]+/;
 

@@ -1,11 +1,7 @@
 import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import type { Plugin, Rollup } from 'vite';
-import { licences } from './licences.js';
+import { libraryContents, licences } from './licences.js';
 import { packed } from './packed.js';
-
-const contents = fileURLToPath(new URL('../../trace/wasm/LICENCES.md', import.meta.url));
 
 const entryTag = /<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/;
 
@@ -38,6 +34,9 @@ function scriptTags(code: string): string {
   ].join('\n    ');
 }
 
+/** The page of cost against error has none. */
+const hasLibrary = (code: string): boolean => code.includes('WebAssembly');
+
 /**
  * The policy forbids loading and sending anything. It allows only the page's own script and style, and no text as markup.
  * The page makes the scripts of workers, which run under the same policy; so does the drawing that becomes an image.
@@ -46,7 +45,7 @@ function policy(html: string, code: string): string {
   const styles = [...html.matchAll(/<style>([^]*?)<\/style>/g)];
   return [
     "default-src 'none'",
-    `script-src ${hash(loader)} ${hash(code)}${html.includes('id="vidno-library"') ? " 'wasm-unsafe-eval'" : ''}`,
+    `script-src ${hash(loader)} ${hash(code)}${hasLibrary(code) ? " 'wasm-unsafe-eval'" : ''}`,
     `style-src ${styles.map((match) => hash(match[1] ?? '')).join(' ')}`,
     'worker-src blob:',
     'img-src blob:',
@@ -72,11 +71,6 @@ function takeChunk(bundle: Rollup.OutputBundle): Rollup.OutputChunk {
   return chunk;
 }
 
-/** The list of the library's components, if the page has the library. */
-function libraryIn(page: string): string {
-  return page.includes('id="vidno-library"') ? readFileSync(contents, 'utf8').trim() : '';
-}
-
 /** A browser needs a third more time to read a page with any other characters than those of ASCII. */
 const inComment = (text: string): string =>
   text.replaceAll('--', '- -').replace(/[“”]/g, '"').replaceAll('©', '(c)');
@@ -91,7 +85,7 @@ export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] 
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       const chunk = takeChunk(bundle);
       const source = String(page.source);
-      const contained = inComment(licences([chunk, ...workers], libraryIn(source)));
+      const contained = inComment(licences([chunk, ...workers], hasLibrary(chunk.code) ? libraryContents() : ''));
       page.source = `${inlined(source, chunk.code)}<!--\nThis page contains:\n\n${contained}\n-->\n`;
       if (/[^\0-\x7f]/.test(page.source)) throw new Error(`${file} must be ASCII.`);
     },

@@ -12,7 +12,8 @@ import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Askers } from '../predict/asker.js';
 import type { Fact } from '../predict/facts.js';
-import type { Sight } from '../replay/quadtree.js';
+import type { Sight } from '../replay/screen.js';
+import type { Trace } from '../replay/trace.js';
 import type { Drawing } from '../solid/drawing.js';
 import type { Space } from '../solid/space.js';
 import type { Lanes } from '../strip/lanes.js';
@@ -61,7 +62,7 @@ export interface Algorithm {
   readonly goals: readonly OwnGoal[];
 
   /** Follows a pixel or a column through a run. */
-  watch(pixel: Pixel, header: Header): Watch;
+  watch(pixel: Pixel, trace: Trace): Watch;
   /** The item that was current at an entry of a pixel's history. */
   heading(known: Known, event: Event): Heading | null;
   /** The owners of the colour that a step painted, by the values after it. Undefined for curves. */

@@ -21,10 +21,10 @@ const shown = new WeakMap<Trace, Map<number, Owners>>();
 /** The owners of a pixel of the trace's current screen; null if it is not painted. */
 export function ownersAt(
   trace: Trace,
-  { painters, scene: { area } }: Screen,
+  screen: Screen,
   [x, y]: Pixel,
 ): Owners | null {
-  const step = painters.at(x - area.x, y - area.y);
+  const step = screen.painter(x, y);
   if (step === 0) return null;
   const known = shown.get(trace) ?? new Map<number, Owners>();
   shown.set(trace, known);
@@ -34,7 +34,7 @@ export function ownersAt(
 }
 
 function shownBy({ header, timeline }: Trace, step: number): Owners {
-  const event = timeline.eventAlone(step);
+  const event = timeline.event(step);
   if (event === null) return nobody;
   return algorithmOf(header).owners?.(event, timeline.valuesAt(step), header) ?? nobody;
 }

@@ -4,10 +4,8 @@ import type { PageTexts, Texts } from '../language/texts.js';
 import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Target } from '../picture/target.js';
-import type { Columns } from '../replay/columns.js';
-import type { Line, Lines } from '../replay/lines.js';
 import type { Screen } from '../replay/screen.js';
-import type { Values } from '../replay/state.js';
+import type { FloatingHorizon, Line, Values } from '../replay/values.js';
 import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -26,10 +24,10 @@ export interface View {
   readonly screen: Screen;
   /** The owners of a pixel; null if it is not painted. */
   readonly ownersAt: (pixel: Pixel) => Owners | null;
-  /** The samples over each column in a run of curves; null in a run of polygons. */
-  readonly columns: Columns | null;
+  /** What a run of curves holds over each column; null in a run of polygons. */
+  readonly columns: Pick<FloatingHorizon, 'horizons' | 'before' | 'flags'> | null;
   /** The lines that a run of curves has drawn. */
-  readonly lines: Lines;
+  readonly lines: readonly Line[];
   /** The lines of another run, shown where this run has none. */
   readonly rival?: readonly Line[];
   readonly language: Language;
@@ -53,9 +51,9 @@ export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'fo
 export function viewOf(trace: Trace, step: number, choice: Choice): View {
   const { header, timeline } = trace;
   const { language } = choice;
-  const before = timeline.seek(Math.max(0, step - 1)).values;
-  const { values: after, screen, columns } = timeline.seek(step);
-  const event = timeline.eventAlone(step);
+  const before = timeline.valuesAt(Math.max(0, step - 1));
+  const { values: after, screen } = timeline.seek(step);
+  const event = timeline.event(step);
   const { page } = texts[language];
   return {
     ...choice,
@@ -67,8 +65,8 @@ export function viewOf(trace: Trace, step: number, choice: Choice): View {
     after,
     screen,
     ownersAt: (pixel) => ownersAt(trace, screen, pixel),
-    columns,
-    lines: timeline.lines,
+    columns: after.floatingHorizon ?? null,
+    lines: after.lines ?? [],
     texts: page,
     sentence: event ? sentence(event, before, after, header, language) : page.start,
   };

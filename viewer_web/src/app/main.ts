@@ -1,2 +1,3 @@
 import './shows.js';
+import './start-engine.js';
 import './app.js';

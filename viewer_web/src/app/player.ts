@@ -1,2 +1,3 @@
 import '../player/player.js';
 import './shows.js';
+import './start-engine.js';

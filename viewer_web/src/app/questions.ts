@@ -3,10 +3,11 @@ import { complaint, texts } from '../i18n/index.js';
 import { isLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { moodleXml, usualCount } from '../predict/moodle.js';
-import { read } from '../replay/read.js';
-import { Unreadable, follow } from '../replay/trace.js';
+import { read } from '../replay/open.js';
+import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 import './algorithms.js';
+import './start-engine.js';
 
 /**
  * The questions of a trace on standard input as Moodle XML on standard output, as a program:
@@ -44,12 +45,12 @@ async function traceFrom(input: AsyncIterable<Buffer<ArrayBuffer>>): Promise<Tra
   for await (const part of input) parts.push(part);
   let trace: Trace | null = null;
   try {
-    for await (const news of read(new Blob(parts))) trace = follow(trace, news);
+    for await (const part of read(new Blob(parts))) trace = part;
   } catch (error) {
     if (!(error instanceof Unreadable)) throw error;
     throw new Refused(complaint('-', error, 'en'));
   }
-  if (trace === null) throw new Error('a file without news');
+  if (trace === null) throw new Error('a file without a trace');
   return trace;
 }
 

@@ -102,7 +102,7 @@ export class Session implements ReactiveController {
     readonly library = embeddedLibrary(document),
   ) {
     host.addController(this);
-    // Loads the library early, so that a long trace can be read at once.
+    // Loads the library early, so that the first run of a scene does not wait for it.
     if (library !== null) requestIdleCallback(() => void moduleOf(library).catch(() => undefined));
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
@@ -300,7 +300,7 @@ export class Session implements ReactiveController {
       this.say(null);
       return;
     }
-    trace.stop();
+    trace.end('stopped');
     this.steps = trace.timeline.length;
     this.say(noticeOf(trace));
   }
@@ -379,8 +379,7 @@ export class Session implements ReactiveController {
         this.fail(name, error);
       },
     };
-    const { library } = this;
-    this.stopReading = openTrace(file, readers, () => library && moduleOf(library));
+    this.stopReading = openTrace(file, readers);
   }
 
   private show(trace: Trace, lesson: string | null, place: Place): void {

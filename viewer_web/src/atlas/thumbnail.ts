@@ -23,7 +23,7 @@ export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair 
   const { length } = timeline;
   const shown = [area.x, area.y, area.width, area.height] as const;
   if (curves !== null) {
-    const lines = timeline.lines.at(length);
+    const lines = timeline.linesAt(length);
     const ends = lines.map(({ from, to }) => pathData([numbers(from), numbers(to)], false));
     // Half a pixel, because the samples lie on the centres of columns.
     const [x, y, width, height] = shown;

@@ -1,5 +1,5 @@
 import { toUtf8 } from '../base/text-file.js';
-import { parseJson } from '../trace/parse.js';
+import { parseJson } from '../trace/check.js';
 import { Refusal } from '../trace/refusal.js';
 import { parseChart } from './format.js';
 import type { Chart } from './format.js';

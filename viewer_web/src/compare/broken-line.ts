@@ -6,8 +6,8 @@ import { texts } from '../i18n/index.js';
 import type { BrokenTexts } from '../language/compare-texts.js';
 import type { Language } from '../language/language.js';
 import { CellPainter, opaque } from '../picture/paint.js';
-import { isPainted } from '../replay/grid.js';
-import type { Grid } from '../replay/grid.js';
+import { isPainted } from '../replay/color.js';
+import type { Pixels } from '../replay/screen.js';
 import type { Trace } from '../replay/trace.js';
 import type { Deviation } from '../trace/editions.js';
 import { numberOf } from '../trace/events.js';
@@ -204,7 +204,7 @@ export class BrokenLineElement extends LitElement {
 }
 
 /** Paints a picture where it differs from the other one; the rest is faint. */
-function paintChanges(canvas: HTMLCanvasElement, own: Grid<number>, other: Grid<number>): void {
+function paintChanges(canvas: HTMLCanvasElement, own: Pixels, other: Pixels): void {
   const { width, height } = own;
   const scale = side / Math.max(width, height);
   const ratio = devicePixelRatio;

@@ -15,13 +15,11 @@ import type { Layer } from '../picture/layers.js';
 import { askForLayer } from '../picture/layers-element.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { Pilot } from '../player/pilot.js';
 import { Pointing } from '../player/pointing.js';
 import { presenterStyle } from '../player/presenter.style.js';
-import { Ripening } from '../player/ripening.js';
 import { StageElement } from '../player/stage-element.js';
-import type { Grid } from '../replay/grid.js';
-import type { Line } from '../replay/lines.js';
+import type { Pixels } from '../replay/screen.js';
+import type { Line } from '../replay/values.js';
 import type { Trace } from '../replay/trace.js';
 import { marked } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
@@ -45,12 +43,12 @@ interface Half {
   readonly side: 'one' | 'other';
   readonly trace: Trace;
   readonly view: View;
-  readonly against: Grid<number> | null;
+  readonly against: Pixels | null;
 }
 
 /** What a run has drawn at a step: pixels, or lines if those are to be marked. */
 interface Beside {
-  readonly picture: Grid<number> | null;
+  readonly picture: Pixels | null;
   readonly lines: readonly Line[];
 }
 
@@ -102,8 +100,6 @@ export class ComparisonElement extends StageElement {
   private differs: number | null = null;
   private readonly pointing = new Pointing(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
-  private readonly otherPilot = new Pilot(this, (step) => (this.otherStep = step));
-  private readonly otherRipening = new Ripening(this);
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
@@ -114,7 +110,6 @@ export class ComparisonElement extends StageElement {
     }
     if (changed.has('trace') || changed.has('pixel')) this.history = historyOf(trace, this.pixel);
     this.reader.read(this);
-    this.otherRipening.follow(rival);
     this.pair(this.comparison, rival);
     this.halves = this.look(trace, rival);
   }
@@ -148,8 +143,7 @@ export class ComparisonElement extends StageElement {
 
   private look(trace: Trace, rival: Trace): readonly [Half, Half] {
     const { pixel, language } = this;
-    const step = this.pilot.follow(trace, this.step);
-    const otherStep = this.otherPilot.follow(rival, this.otherStep);
+    const { step, otherStep } = this;
     const choice: Choice = { language, pixel, pointed: this.pointing.at };
     this.differs = differenceAt(trace, step, rival, otherStep);
     const against = this.beside(rival, otherStep);
@@ -167,7 +161,7 @@ export class ComparisonElement extends StageElement {
     const isOfCurves = run.header.scene.curves !== null;
     return {
       picture: isOfCurves ? null : pictureAt(run, step),
-      lines: isOfCurves && this.isMarked ? run.timeline.lines.at(step) : [],
+      lines: isOfCurves && this.isMarked ? run.timeline.linesAt(step) : [],
     };
   }
 
@@ -197,8 +191,7 @@ export class ComparisonElement extends StageElement {
         ></vidno-comparison-facts>
       </div>
       <div class="dock">
-        ${this.announcer.render()} ${this.pilot.render(view.language)}
-        ${this.otherPilot.render(view.language)} ${this.playControls(view, check, this.history)}
+        ${this.announcer.render()} ${this.playControls(view, check, this.history)}
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
@@ -257,13 +250,6 @@ export class ComparisonElement extends StageElement {
     if (name === 'together') this.linked = !this.linked;
     else if (name === 'edit') this.isEdited = !this.isEdited;
     else askForLayer(this, this.isMarked ? 'picture' : 'difference');
-  }
-
-  /** Stops a long seek at the current step. */
-  stay(): void {
-    for (const pilot of [this.pilot, this.otherPilot]) {
-      if (pilot.isUnderWay) pilot.cancel();
-    }
   }
 
   /** Points at the next or previous thing of the first run's step. */

@@ -16,7 +16,6 @@ export interface SteeredPair extends Timed {
   point(by: 1 | -1): void;
   toggle(name: 'mark'): void;
   bookmark(): void;
-  stay(): void;
   goToParting(what: 'text' | 'deed'): void;
 }
 
@@ -29,7 +28,6 @@ export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Act
   const usual: Actions = {
     ...showKeys,
     ...timeActions(pair, shiftKey),
-    Escape: () => pair.stay(),
     KeyB: () => pair.bookmark(),
     KeyC: () => {
       for (const run of pair.runs) run.toggleSource();

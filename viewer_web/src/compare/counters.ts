@@ -104,7 +104,7 @@ export class Counters {
     return {
       ...none,
       ...(Object.fromEntries([...byName, ...summed]) as Partial<Counts>),
-      lines: isOfCurves ? trace.timeline.lines.upTo(step).count : null,
+      lines: isOfCurves ? trace.timeline.linesAt(step).length : null,
       wrong: toldOf(trace) === 'unchecked' ? null : named(['disagree']),
       steps: step,
     };

@@ -1,6 +1,5 @@
 import { eventNames, kinds } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
-import { holdsNumbers } from '../trace/values.js';
 
 /** The fields that a check adds. */
 const truths: ReadonlySet<string> = new Set(['exact', 'by']);
@@ -8,10 +7,8 @@ const truths: ReadonlySet<string> = new Set(['exact', 'by']);
 /** For each event name, the fields that describe the action. */
 const deedFields = new Map<EventName, readonly string[]>(
   eventNames.map((name) => {
-    const fields = Object.entries(kinds[name].fields);
-    const isDeed = ([key, check]: (typeof fields)[number]): boolean =>
-      !truths.has(key) && !holdsNumbers(check);
-    return [name, fields.filter(isDeed).map(([key]) => key)];
+    const { fields, numbers } = kinds[name];
+    return [name, fields.filter((key) => !truths.has(key) && !numbers.includes(key))];
   }),
 );
 

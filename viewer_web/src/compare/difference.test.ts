@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
 import { Comparison } from './comparison.js';
 import { differenceAt, differingColumns } from './difference.js';
-import type { Line } from '../replay/lines.js';
+import type { Line } from '../replay/values.js';
 
 /** A line of a curve over some columns. */
 const line = (curve: number, first: number, last: number): Line => ({

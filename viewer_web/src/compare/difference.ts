@@ -1,16 +1,16 @@
-import type { Line } from '../replay/lines.js';
+import type { Line } from '../replay/values.js';
 import { toNumber } from '../language/words.js';
 import { differenceOf } from '../picture/layers.js';
-import type { Grid } from '../replay/grid.js';
+import type { Pixels } from '../replay/screen.js';
 import type { Trace } from '../replay/trace.js';
 
-/** The picture after a step, as a copy. */
-export function pictureAt({ timeline }: Trace, step: number): Grid<number> {
-  return timeline.seek(step).screen.picture.copy();
+/** The picture after a step. */
+export function pictureAt({ timeline }: Trace, step: number): Pixels {
+  return timeline.seek(step).screen.picture;
 }
 
 /** The number of pixels that differ between two pictures; null if their sizes differ. */
-export function differing(one: Grid<number>, other: Grid<number>): number | null {
+export function differing(one: Pixels, other: Pixels): number | null {
   if (one.width !== other.width || one.height !== other.height) return null;
   const { wrong, lacking } = differenceOf(one, other);
   return wrong + lacking;
@@ -72,5 +72,5 @@ export function differenceAt(
   if ((curves === null) !== (curvesThere === null)) return null;
   return curves === null
     ? differing(pictureAt(one, step), pictureAt(other, otherStep))
-    : differingColumns(one.timeline.lines.at(step), other.timeline.lines.at(otherStep));
+    : differingColumns(one.timeline.linesAt(step), other.timeline.linesAt(otherStep));
 }

@@ -2,7 +2,6 @@ import { embeddedFile, embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { openTrace } from '../replay/open.js';
 import type { Trace } from '../replay/trace.js';
-import { moduleOf } from '../run/maker.js';
 import { noticeOf } from '../run/notice.js';
 import type { Notice } from '../run/notice.js';
 import type { Options } from '../run/options.js';
@@ -52,7 +51,7 @@ export class Rival {
   private stopReading = (): void => undefined;
 
   constructor(
-    private readonly library: Blob | null,
+    library: Blob | null,
     private readonly changed: () => void,
   ) {
     const take = (trace: Trace | null, messages: string): void => {
@@ -97,7 +96,7 @@ export class Rival {
   /** Stops reading the file and keeps the steps read so far. */
   stop(): void {
     this.stopReading();
-    this.trace?.stop();
+    this.trace?.end('stopped');
     if (this.trace === null) this.choose(null);
     else this.show(this.trace);
   }
@@ -124,12 +123,7 @@ export class Rival {
       this.trace = null;
       this.say({ kind: 'failed', name, error });
     };
-    const { library } = this;
-    this.stopReading = openTrace(
-      file,
-      { grown: (trace) => this.show(trace), failed },
-      () => library && moduleOf(library),
-    );
+    this.stopReading = openTrace(file, { grown: (trace) => this.show(trace), failed });
   }
 
   private show(trace: Trace): void {

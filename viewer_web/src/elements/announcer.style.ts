@@ -2,8 +2,7 @@ import { css } from 'lit';
 
 /** Over the content, for long enough to be read, without moving anything. */
 export const announcerStyle = css`
-  .news,
-  .on-the-way {
+  .news {
     position: absolute;
     z-index: 4;
     bottom: 100%;
@@ -15,8 +14,7 @@ export const announcerStyle = css`
   .news {
     pointer-events: none;
   }
-  .news span:not(.heard, :empty),
-  .on-the-way {
+  .news span:not(.heard, :empty) {
     display: block;
     padding: 0.5rem 0.9rem;
     border-radius: 6px;
@@ -25,19 +23,6 @@ export const announcerStyle = css`
   }
   .news span:not(.heard, :empty) {
     animation: gone 0.3s 7s forwards;
-  }
-  .on-the-way {
-    display: flex;
-    gap: 0.75rem;
-    align-items: center;
-    font-variant-numeric: tabular-nums;
-  }
-  .on-the-way progress {
-    width: 8rem;
-  }
-  .on-the-way button {
-    min-height: 1.75rem;
-    color: var(--ink);
   }
   @keyframes gone {
     to {

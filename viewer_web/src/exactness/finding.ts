@@ -1,18 +1,6 @@
-import { finite, part } from '../trace/check.js';
-import type { Check, Checked } from '../trace/check.js';
-import { decisions } from '../trace/event-table.js';
-import {
-  answer,
-  fraction,
-  list,
-  number,
-  oneOf,
-  operands,
-  optional,
-  rect,
-  text,
-  whole,
-} from '../trace/values.js';
+import { oneOf, part, whole } from '../trace/check.js';
+import type { Decision } from '../trace/events.js';
+import type { Answer, N, Operands } from '../trace/values.js';
 
 export const findingKinds = ['wrong', 'point', 'zero', 'narrow'] as const;
 export type FindingKind = (typeof findingKinds)[number];
@@ -30,26 +18,27 @@ export const coincidences = [
 export type Coincidence = (typeof coincidences)[number];
 
 /** A decision worth looking at; FORMAT.md describes the fields. */
-const finding = part({
-  kind: oneOf(...findingKinds),
-  step: whole,
-  at: text,
-  procedure: text,
-  polygons: list(text),
-  pixels: rect,
-  off: optional(finite),
-  of: optional(oneOf(...decisions)),
-  taken: optional(answer),
-  exact: optional(answer),
-  cause: optional(oneOf('rounded', 'drifted')),
-  coincidence: optional(oneOf(...coincidences)),
-  computed: optional(number),
-  gap: optional(fraction),
-  sign: optional(oneOf(-1, 0, 1)),
-  ulps: optional(finite),
-  operands,
-}) satisfies Check<unknown>;
-export type Finding = Checked<typeof finding>;
+export interface Finding {
+  readonly kind: FindingKind;
+  readonly step: number;
+  readonly at: string;
+  readonly procedure: string;
+  readonly polygons: readonly string[];
+  readonly pixels: readonly [x: number, y: number, width: number, height: number];
+  readonly off?: number;
+  readonly of?: Decision;
+  readonly taken?: Answer;
+  readonly exact?: Answer;
+  readonly cause?: 'rounded' | 'drifted';
+  readonly coincidence?: Coincidence;
+  readonly computed?: N;
+  readonly gap?: string;
+  readonly sign?: -1 | 0 | 1;
+  readonly ulps?: number;
+  readonly operands: Operands;
+}
+
+const kindAndStep = part({ kind: oneOf(...findingKinds), step: whole });
 
 /** The list of a run, as `vidno check --list` writes it, after a first line that identifies the run. */
 export function findingsIn(lines: string): readonly Finding[] {
@@ -57,7 +46,11 @@ export function findingsIn(lines: string): readonly Finding[] {
     .split('\n')
     .slice(1)
     .filter((line) => line !== '')
-    .map((line) => finding(JSON.parse(line) as unknown, ''));
+    .map((line) => {
+      const found: unknown = JSON.parse(line);
+      kindAndStep(found, '');
+      return found as Finding;
+    });
 }
 
 /** The possible orders of the list. */

@@ -176,7 +176,7 @@ export class FindingsElement extends LitElement {
 
   private operand([name, used, exact]: Finding['operands'][number]): string {
     const right = exact === used || exact === null ? '' : ` (${this.number(exact)})`;
-    return `${inNotation(name, this.view.language)} = ${this.number(used)}${right}`;
+    return `${inNotation(name, this.view.language)} = ${this.number(used ?? 'nan')}${right}`;
   }
 
   /** A shortened number, because fractions may be long; the file has all digits. */

@@ -1,11 +1,8 @@
 import type { ExactTexts } from '../language/exact-texts.js';
 import { note, path } from '../picture/mark.js';
 import type { Mark, Spot } from '../picture/mark.js';
-import { bool, list, oneOf, optional, point, text, whole } from '../trace/values.js';
-import { part } from '../trace/check.js';
-import type { Checked } from '../trace/check.js';
 import type { Area } from '../trace/header.js';
-import type { N } from '../trace/values.js';
+import type { N, Point } from '../trace/values.js';
 import { Fraction } from './fraction.js';
 
 /** A window's sides, in the order of PolygonClip. */
@@ -22,42 +19,42 @@ export interface MarginWords {
   readonly point: (at: readonly N[]) => string;
 }
 
-const sign = oneOf(-1, 0, 1);
+type Sign = -1 | 0 | 1;
+
+/** A sign that would change beyond a side of the region. */
+interface Flip {
+  readonly step: number;
+  readonly polygon: string;
+  readonly edge?: number;
+  readonly vertex?: number;
+  readonly point?: Point;
+  readonly cut?: number;
+  readonly side?: number;
+  readonly sign: Sign;
+}
+
+/** A side of the region: a x + b y + c has the sign inside. */
+interface Side {
+  readonly a: string;
+  readonly b: string;
+  readonly c: string;
+  readonly sign: Sign;
+  readonly bounds: boolean;
+  readonly flips: readonly Flip[];
+}
 
 /**
  * The region to which a vertex may be moved without changing a sign of a step, as `vidno margin --json` writes it.
  * FORMAT.md describes it.
  */
-const margin = part({
-  step: whole,
-  polygon: text,
-  vertex: whole,
-  sides: list(
-    part({
-      a: text,
-      b: text,
-      c: text,
-      sign,
-      bounds: bool,
-      flips: list(
-        part({
-          step: whole,
-          polygon: text,
-          edge: optional(whole),
-          vertex: optional(whole),
-          point: optional(point),
-          cut: optional(whole),
-          side: optional(whole),
-          sign,
-        }),
-      ),
-    }),
-  ),
-});
-export type Margin = Checked<typeof margin>;
-type Side = Margin['sides'][number];
+export interface Margin {
+  readonly step: number;
+  readonly polygon: string;
+  readonly vertex: number;
+  readonly sides: readonly Side[];
+}
 
-export const marginIn = (json: string): Margin => margin(JSON.parse(json) as unknown, '');
+export const marginIn = (json: string): Margin => JSON.parse(json) as Margin;
 
 /** The approximate value of a fraction of any length. */
 function nearly(fraction: string): number {

@@ -5,7 +5,6 @@ import type { Event } from '../trace/events.js';
 import { flags, horizons, meeting, sideEdge } from './ask.js';
 import { figureOf } from './figure.js';
 import { ColumnWatch } from './history.js';
-import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { sentences } from './sentences.js';
@@ -45,7 +44,8 @@ defineAlgorithm(['floating-horizon'], {
     { name: 'curve', at: ['curve'] },
     { name: 'crossing', at: ['intersection'] },
   ],
-  watch: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
+  watch: (pixel, { header, timeline }) =>
+    new ColumnWatch(pixel, header, (step) => timeline.valuesAt(step)),
   heading: ({ floatingHorizon }) => floatingHorizon?.curve ?? null,
   abouts: {},
   askers: { flags, horizons, sideEdge, meeting },

@@ -67,9 +67,9 @@ type Which = 'upper' | 'lower';
 
 /** The height of a horizon over a column at a step; null if there is none. */
 function horizonAt({ timeline, header }: Trace, step: number) {
-  const { columns } = timeline.seek(step);
+  const horizons = timeline.valuesAt(step).floatingHorizon?.horizons;
   return (which: Which, x: number): N | null =>
-    columns?.horizons[which].row(0)[x - header.scene.area.x] ?? null;
+    horizons?.[which][x - header.scene.area.x] ?? null;
 }
 
 /** The parts that ask over which of some columns each horizon moves, and the steps that move them. */

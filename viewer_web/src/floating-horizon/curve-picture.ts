@@ -68,7 +68,7 @@ export class CurvePictureElement extends PlaneElement {
     if (columns === null || header.detail === 'windows') return at;
     const i = x - header.scene.area.x;
     const { upper, lower } = columns.horizons;
-    return `${at}: ${this.words.horizons(upper.at(i, 0), lower.at(i, 0))}`;
+    return `${at}: ${this.words.horizons(upper[i] ?? null, lower[i] ?? null)}`;
   }
 
   protected override drawing(frame: Frame): unknown {

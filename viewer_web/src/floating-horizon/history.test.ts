@@ -32,7 +32,10 @@ describe('the history of a column', () => {
   it('calls a point below visible, except in the printed text, which may not draw it (X-H1)', () => {
     const below = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 4, flag: -1 } as const;
     const outcomeIn = (edition: Edition, event: Event): unknown =>
-      new ColumnWatch([4, 0], 'signs', edition).see(event, 1);
+      new ColumnWatch([4, 0], { detail: 'signs', edition }, () => ({ step: 1, calls: [] })).see(
+        event,
+        1,
+      );
     expect(outcomeIn('corrected', below)).toBe('pass');
     expect(outcomeIn('printed', below)).toBe('note');
     expect(outcomeIn('printed', { ...below, flag: 1 })).toBe('pass');

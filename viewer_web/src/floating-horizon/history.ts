@@ -2,25 +2,22 @@ import { noted, test } from '../history/entry.js';
 import type { Outcome, Watch } from '../history/entry.js';
 import type { Known } from '../language/words.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Values } from '../replay/values.js';
 import { only } from '../replay/wanted.js';
 import type { Wanted } from '../replay/wanted.js';
-import type { Edition } from '../trace/editions.js';
-import type { FloatingHorizonEvents, Detail, Event } from '../trace/events.js';
+import type { Detail, Event, EventName } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
 import { isLostBelow } from './sides.js';
-import { emptyFloatingHorizon, placeAfter } from './state.js';
-import type { FloatingHorizon } from './state.js';
+import { emptyFloatingHorizon } from './state.js';
 
-type Judge<K extends keyof FloatingHorizonEvents> = (
-  event: FloatingHorizonEvents[K],
-  x: number,
-) => Outcome | null;
+type Judge<K extends EventName> = (event: Event<K>, x: number) => Outcome | null;
 
 const over = ({ x: column }: { readonly x: number }, x: number): Outcome | null =>
   noted(column === x);
 const isAmong = (changes: readonly (readonly [number, unknown])[], x: number): boolean =>
   changes.some(([column]) => column === x);
 
-const judges: { readonly [K in keyof FloatingHorizonEvents]?: Judge<K> } = {
+const judges: { readonly [K in EventName]?: Judge<K> } = {
   height: over,
   draw_line: ({ fromColumns, toColumns }, x) =>
     fromColumns[1] <= x && x <= toColumns[0] ? 'paint' : null,
@@ -31,7 +28,7 @@ const judges: { readonly [K in keyof FloatingHorizonEvents]?: Judge<K> } = {
   step: over,
 };
 
-const always = ['curve', 'visibility', 'draw_line', 'intersection', 'disagree'] as const;
+const always = ['visibility', 'draw_line', 'intersection', 'disagree'] as const;
 /** The events to watch at each level. At the highest level each change of a horizon has an event of its own. */
 const wantedAt: Readonly<Record<Detail, Wanted>> = {
   windows: only(...always),
@@ -39,56 +36,49 @@ const wantedAt: Readonly<Record<Detail, Wanted>> = {
   signs: only(...always, 'height', 'raise', 'lower', 'step'),
 };
 
-const visibility = '{"e":"visibility"';
 const columnOf = /"x":(-?\d+)[,}]/;
 
 /** The history of a column: every curve's height and flag, the lines, and the changes of the horizons. */
 export class ColumnWatch implements Watch {
   readonly wanted: Wanted;
   private readonly x: number;
-  private horizon: FloatingHorizon = emptyFloatingHorizon;
+  private step = 0;
   private toldAt = 0;
 
   constructor(
     [x]: Pixel,
-    detail: Detail,
-    private readonly edition: Edition,
+    private readonly header: Pick<Header, 'detail' | 'edition'>,
+    private readonly valuesAt: (step: number) => Values,
   ) {
     this.x = x;
-    this.wanted = wantedAt[detail];
+    this.wanted = wantedAt[header.detail];
   }
 
   get known(): Known {
-    return { floatingHorizon: this.horizon };
+    const { curve, place, height } =
+      this.valuesAt(this.step).floatingHorizon ?? emptyFloatingHorizon;
+    return { floatingHorizon: { curve, place, height } };
   }
 
-  /** Skips events of other columns, except those of Visibility, which determine the horizon that a segment meets. */
+  /** Skips events of other columns. */
   isElsewhere(line: string): boolean {
-    if (line.startsWith(visibility)) return false;
     const found = columnOf.exec(line);
     return found !== null && Number(found[1]) !== this.x;
   }
 
-  /** Records a result of Visibility. For this column it is also the outcome: whether the curve is visible. */
-  private look(event: Event<'visibility'>): Outcome | null {
-    const { horizon, edition } = this;
-    this.horizon = { ...horizon, place: placeAfter(event, horizon.place) };
-    if (event.x !== this.x) return null;
-    return isLostBelow(event.flag, edition) ? 'note' : test(event.flag !== 0);
-  }
-
   see(event: Event, step: number): Outcome | null {
-    if (event.e === 'curve') this.horizon = { ...emptyFloatingHorizon, curve: event.curve };
-    if (event.e === 'height' && event.x === this.x) this.horizon = { ...this.horizon, told: event };
+    this.step = step;
     if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
-    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof FloatingHorizonEvents>>>>)[
-      event.e
-    ];
+    const judge = judges[event.e] as Judge<EventName> | undefined;
     const outcome =
-      event.e === 'visibility'
-        ? this.look(event)
-        : (judge?.(event as FloatingHorizonEvents[keyof FloatingHorizonEvents], this.x) ?? null);
+      event.e === 'visibility' ? this.look(event) : (judge?.(event, this.x) ?? null);
     if (outcome !== null) this.toldAt = step;
     return outcome;
+  }
+
+  /** The outcome of Visibility: whether the curve is visible. */
+  private look({ x, flag }: Event<'visibility'>): Outcome | null {
+    if (x !== this.x) return null;
+    return isLostBelow(flag, this.header.edition) ? 'note' : test(flag !== 0);
   }
 }

@@ -65,9 +65,7 @@ export class HorizonPanel extends LitElement {
 
   private place(): TemplateResult {
     const { now, old, say } = this;
-    const { texts: page, lines, step } = this.view;
-    const { count } = lines.upTo(step);
-    const before = lines.upTo(Math.max(0, step - 1)).count;
+    const { texts: page, before, lines } = this.view;
     const segment = now.place.segment?.join(' … ') ?? page.none;
     const curve =
       now.curve === null
@@ -79,7 +77,7 @@ export class HorizonPanel extends LitElement {
         ${value(say.segment, segment, now.place.segment?.join() !== old.place.segment?.join())}
         ${value('x, Pflag', this.looked(now.place.previous), isOther(now, old, 'previous'))}
         ${value('x′, Tflag', this.looked(now.place.current), isOther(now, old, 'current'))}
-        ${value(say.lines, count, count !== before)}
+        ${value(say.lines, lines.length, lines.length !== before.lines?.length)}
       </dl>
     </section>`;
   }
@@ -138,7 +136,7 @@ export class HorizonPanel extends LitElement {
   private row(x: number): TemplateResult {
     const { columns, header, event, pointed } = this.view;
     const i = x - header.scene.area.x;
-    const flag = columns?.flags.row(0)[i] ?? null;
+    const flag = columns?.flags[i] ?? null;
     const thing = columnThing(x);
     const isFlagged = event?.e === 'visibility' && event.x === x;
     const classes = { current: x === this.column, pointed: pointed === thing };
@@ -155,7 +153,7 @@ export class HorizonPanel extends LitElement {
 
   private height(which: 'upper' | 'lower', i: number, x: number): TemplateResult {
     const { columns, event, texts: page } = this.view;
-    const height: N | null = columns?.horizons[which].row(0)[i] ?? null;
+    const height: N | null = columns?.horizons[which][i] ?? null;
     const { short, whole } = numbersOf(this.view);
     const one = which === 'upper' ? 'raise' : 'lower';
     const changed =

@@ -2,10 +2,15 @@ import type { Bilingual } from '../language/language.js';
 import type { SentencesOf } from '../language/texts.js';
 import { rangeOf } from '../language/words.js';
 import type { Words } from '../language/words.js';
-import { isPoint } from '../replay/lines.js';
 import type { FloatingHorizonEvents } from '../trace/events.js';
 import type { Flag } from './events.js';
 import { isLostBelow, metBy } from './sides.js';
+
+/** Whether a part of a segment is a point on a column. */
+const isPoint = ({
+  fromColumns: [first, last],
+  toColumns: [, end],
+}: FloatingHorizonEvents['draw_line']): boolean => first === last && first === end;
 
 const columns = {
   en: { one: 'column', other: 'columns' },
@@ -74,13 +79,13 @@ export const sentences: SentencesOf<keyof FloatingHorizonEvents> = {
   },
   visibility: {
     en: ({ x, flag }, { after, header, short }) => {
-      const told = after.floatingHorizon?.told ?? null;
+      const told = after.floatingHorizon?.height ?? null;
       const at = told?.x === x ? ` at ${short(told.y)}` : '';
       const isLost = isLostBelow(flag, header.edition);
       return `Over column ${short(x)} the curve${at} is ${isLost ? lostBelow.en : flags.en[flag]}.`;
     },
     ru: ({ x, flag }, { after, header, short }) => {
-      const told = after.floatingHorizon?.told ?? null;
+      const told = after.floatingHorizon?.height ?? null;
       const at = told?.x === x ? ` на высоте ${short(told.y)}` : '';
       const isLost = isLostBelow(flag, header.edition);
       return `Над столбцом ${short(x)} кривая${at} ${isLost ? lostBelow.ru : flags.ru[flag]}.`;

@@ -5,16 +5,15 @@ import type { Spot } from '../picture/mark.js';
 import { boxData, circleData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
 import { curveThing, thingOf } from '../algorithm/pointed.js';
-import type { Grid } from '../replay/grid.js';
 import { hasDefect } from '../trace/editions.js';
 import type { FloatingHorizonEvents, Event } from '../trace/events.js';
 import type { Area, Curve } from '../trace/header.js';
-import type { N } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
 import { flagData, flagLooks } from './flag-looks.js';
 import type { FlagLook } from './flag-looks.js';
 import type { Layer } from './layers.js';
-import type { Line } from '../replay/lines.js';
+import type { Heights } from './state.js';
+import type { Line } from '../replay/values.js';
 
 /** CSS pixels: the largest mark of a flag, and a dot of the step. */
 const flagSize = 4;
@@ -46,8 +45,7 @@ export function heightOver(curve: Curve, column: number): number | null {
 }
 
 /** A horizon from column to column where it exists; a short bar over an isolated column. */
-function horizonData(heights: Grid<N | null>, { x, width }: Area): string {
-  const row = heights.row(0);
+function horizonData(heights: Heights, { x, width }: Area): string {
   const pieces: string[] = [];
   let piece: Spot[] = [];
   const end = (): void => {
@@ -57,7 +55,7 @@ function horizonData(heights: Grid<N | null>, { x, width }: Area): string {
     piece = [];
   };
   for (let i = 0; i < width; i++) {
-    const height = row[i] ?? null;
+    const height = heights[i] ?? null;
     const at: Spot = [x + i, height === null ? NaN : toNumber(height)];
     if (isShown(at)) piece.push(at);
     else end();
@@ -102,11 +100,11 @@ const layers: Readonly<Record<Layer, Draw>> = {
       { look: 'samples', d: samples },
     ];
   },
-  lines: ({ lines, step }) => [{ look: 'visible', d: lines.at(step).map(lineData).join('') }],
+  lines: ({ lines }) => [{ look: 'visible', d: lines.map(lineData).join('') }],
   horizons: ({ columns, header: { scene, edition } }) => {
     if (columns === null) return [];
     const { horizons, before } = columns;
-    const drawn = (look: string, heights: Grid<N | null>): Shape => ({
+    const drawn = (look: string, heights: Heights): Shape => ({
       look,
       d: horizonData(heights, scene.area),
     });
@@ -124,9 +122,8 @@ const layers: Readonly<Record<Layer, Draw>> = {
     if (columns === null || curve === null || x === undefined) return [];
     const r = Math.min(flagSize, 0.45 * scale) / scale;
     const data: Record<FlagLook, string> = { above: '', below: '', hidden: '', both: '' };
-    const flags = columns.flags.row(0);
     for (let i = 0; i < area.width; i++) {
-      const flag = flags[i] ?? null;
+      const flag = columns.flags[i] ?? null;
       const y = flag === null ? null : heightOver(curve, area.x + i);
       if (flag === null || y === null) continue;
       const look = flagLooks[flag];

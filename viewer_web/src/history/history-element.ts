@@ -15,7 +15,7 @@ import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Pixel } from '../picture/pixel.js';
-import { toColor } from '../replay/grid.js';
+import { toColor } from '../replay/color.js';
 import type { Command } from '../time/command.js';
 import type { Entry } from './entry.js';
 import { grouped, shownAround } from './groups.js';

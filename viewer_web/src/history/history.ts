@@ -20,8 +20,7 @@ export class History {
     readonly trace: Trace,
     readonly pixel: Pixel,
   ) {
-    const { header } = trace;
-    this.watch = algorithmOf(header).watch(pixel, header);
+    this.watch = algorithmOf(trace.header).watch(pixel, trace);
   }
 
   get entries(): readonly Entry[] {

@@ -4,7 +4,7 @@ import { emptyFloatingHorizon } from '../floating-horizon/state.js';
 import { languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { short, shortApart, toNumber } from '../language/words.js';
-import type { Values } from '../replay/state.js';
+import type { Values } from '../replay/values.js';
 import { Unreadable } from '../replay/trace.js';
 import { allSamples } from '../testing/samples.js';
 import { tellerOf } from '../testing/teller.js';

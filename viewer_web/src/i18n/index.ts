@@ -1,8 +1,9 @@
 import type { Language } from '../language/language.js';
+import { inWords } from '../language/library-reason.js';
 import type { Texts } from '../language/texts.js';
 import { counted } from '../language/words.js';
 import type { PluralForms } from '../language/words.js';
-import type { Complaint } from '../replay/read.js';
+import type { Complaint } from '../replay/trace.js';
 import * as en from './en/index.js';
 import * as ru from './ru/index.js';
 
@@ -17,21 +18,19 @@ export const rulesOf: Readonly<Record<Language, Intl.PluralRules>> = {
 export const countedIn = (language: Language, n: number, forms: PluralForms): string =>
   counted(n, forms, rulesOf[language]);
 
-function reasonOf({ refusal }: Complaint, language: Language): string {
-  const say: (...details: string[]) => string = texts[language].reasons[refusal.reason];
-  return say(...refusal.details);
-}
-
 /** An error in a file: line, place and reason. */
-export function complaint(name: string, wrong: Complaint, language: Language): string {
-  const { page } = texts[language];
-  const { line, refusal } = wrong;
-  if (refusal.reason === 'emptyFile') return page.emptyFile(name);
-  return page.unreadable(name, line, refusal.path, reasonOf(wrong, language));
+export function complaint(
+  name: string,
+  { line, path, reason }: Complaint,
+  language: Language,
+): string {
+  const { page, scene } = texts[language];
+  if (reason === 'empty, not a trace') return page.emptyFile(name);
+  return page.unreadable(name, line, path, inWords(reason, scene));
 }
 
 /** The same for the line up to which the file is a valid trace. */
-export function wrongLine(wrong: Complaint, language: Language): string {
-  const { line, refusal } = wrong;
-  return texts[language].page.wrongLine(line, refusal.path, reasonOf(wrong, language));
+export function wrongLine({ line, path, reason }: Complaint, language: Language): string {
+  const { page, scene } = texts[language];
+  return page.wrongLine(line, path, inWords(reason, scene));
 }

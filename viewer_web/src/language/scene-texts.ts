@@ -59,7 +59,7 @@ export interface SceneTexts {
   /** A place in the text of a file. */
   readonly at: (line: number, column: number) => string;
   readonly missing: (key: string) => string;
-  /** The library's reasons for refusal that can occur while drawing. */
+  /** The library's reasons for refusal that the page words differently. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;
 }

@@ -2,7 +2,7 @@ import type { Outcome } from '../history/entry.js';
 import type { Why } from '../history/why.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { PixelFacts } from '../picture/pixel-facts.js';
-import type { Ended } from '../replay/read.js';
+import type { Ended } from '../replay/trace.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
@@ -188,8 +188,6 @@ export interface PageTexts extends FileTexts {
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
   readonly stopReading: string;
-  /** While a distant step is being computed. */
-  readonly onTheWay: (step: string) => string;
   readonly cancel: string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly unknown: (name: string) => string;
@@ -204,6 +202,7 @@ export interface PageTexts extends FileTexts {
   readonly refusedFor: (name: string) => string;
   readonly isChart: (name: string) => string;
   readonly isMesh: (name: string) => string;
+  readonly noWebAssembly: string;
   readonly emptyFile: (name: string) => string;
   readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
   readonly wrongLine: (line: number, where: string, reason: string) => string;

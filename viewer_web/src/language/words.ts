@@ -1,3 +1,5 @@
+import type { FloatingHorizon, Warnock, WeilerAtherton } from '../replay/values.js';
+import type { ZBufferValues } from '../trace/event-table.js';
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Numbers, Phrases, Texts } from './texts.js';
@@ -131,11 +133,13 @@ export interface PluralForms {
   readonly other: string;
 }
 
-/**
- * The values of a step that the sentences use. Each algorithm adds a part, under a name of its own, by `declare module`.
- */
-// eslint-disable-next-line @typescript-eslint/no-empty-object-type
-export interface Known {}
+/** The values of a step that the sentences use. A pixel's history keeps only these. */
+export interface Known {
+  readonly warnock?: Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Warnock>;
+  readonly zbuffer?: Pick<ZBufferValues, 'polygon'>;
+  readonly weilerAtherton?: Pick<WeilerAtherton, 'inHand'>;
+  readonly floatingHorizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'height'>;
+}
 
 /** "3 pixels", "3 пикселя". */
 export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules): string {

@@ -1,7 +1,7 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Numbers } from '../language/texts.js';
-import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
+import { depthChanges } from '../trace/events.js';
 import { noteOf } from './notes.js';
 
 /** The number of steps to search for values, so that a step need not go through a long list of polygons. */

@@ -1,7 +1,6 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Numbers } from '../language/texts.js';
 import { withoutDoubledSigns } from '../language/words.js';
-import { plainOf } from '../trace/check.js';
 import { details, eventsOf, isToldAnywhere, kinds } from '../trace/events.js';
 import type { CommonEvents, Detail, Event, EventName, Method } from '../trace/events.js';
 import type { Answer } from '../trace/values.js';
@@ -42,7 +41,7 @@ export function speaks(label: string, method: Method, detail: Detail): boolean {
       !isToldAnywhere(name) && // except notes that any line may have
       ownNote(name, method) !== null &&
       details.indexOf(from) <= details.indexOf(detail) &&
-      new RegExp(`^${plainOf(at)}$`).test(`"${label}"`)
+      at?.includes(label) === true
     );
   });
 }

@@ -4,7 +4,7 @@ import { eventNames, kinds } from '../trace/events.js';
 const atOnce = 2048;
 const key = '"polygon":"';
 
-const mayName = eventNames.map((name) => 'polygon' in kinds[name].fields);
+const mayName = eventNames.map((name) => kinds[name].fields.includes('polygon'));
 
 /** The polygon named by each event of a run, read from the lines, usually without parsing them. */
 export class Mentions {

@@ -1,8 +1,7 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
-import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
 import type { Book } from '../time/course.js';
-import { callsFrom, eventNames, kinds, numberOf } from '../trace/events.js';
+import { callsFrom, depthChanges, eventNames, kinds, numberOf } from '../trace/events.js';
 import type { EventName, Procedure } from '../trace/events.js';
 import type { Kind, Told } from './outlined.js';
 import { NodeTable, none } from './table.js';
@@ -84,7 +83,7 @@ export class Outline {
     const { kind, first } = this.nodes;
     const known = kindsByNumber[kind[node] ?? hand];
     if (known !== undefined) return known;
-    const event = this.trace.timeline.eventAlone(first[node] ?? 0);
+    const event = this.trace.timeline.event(first[node] ?? 0);
     return event?.e === 'call' ? event.of : 'hand';
   }
 
@@ -149,7 +148,7 @@ export class Outline {
       last,
       inHandFrom: firsts[this.handOf(node)] ?? first,
       part: parts[node] ?? -1,
-      event: (step) => timeline.eventAlone(step),
+      event: (step) => timeline.event(step),
       stepsOf: (name, from = first) => stepsOf(timeline.names, name, from, last),
     };
   }

@@ -1,4 +1,4 @@
-import type { Sight } from '../replay/quadtree.js';
+import type { Sight } from '../replay/screen.js';
 import type { Area } from '../trace/header.js';
 import type { Place } from './paint.js';
 import type { Pixel } from './pixel.js';

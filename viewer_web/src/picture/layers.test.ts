@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { toGround, toPixel } from '../replay/grid.js';
+import { toGround, toPixel } from '../replay/color.js';
 import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';

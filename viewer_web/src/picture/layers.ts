@@ -1,10 +1,8 @@
-import { toNumber } from '../language/words.js';
-import { isPainted } from '../replay/grid.js';
-import type { Grid } from '../replay/grid.js';
+import { isPainted } from '../replay/color.js';
+import type { Pixels } from '../replay/screen.js';
 import { keepsDepths } from '../replay/screen.js';
 import type { Screen } from '../replay/screen.js';
 import type { Header, Scene } from '../trace/header.js';
-import type { N } from '../trace/values.js';
 import { opaque, textured } from './paint.js';
 import type { Cells } from './paint.js';
 import { inkAt } from './ramp.js';
@@ -17,10 +15,10 @@ export const layers = ['picture', 'depths', 'exact', 'difference'] as const;
 export type Layer = (typeof layers)[number];
 
 /** The picture by exact decisions; null if there is none. */
-export type Exact = Grid<number> | 'computing' | null;
+export type Exact = Pixels | 'computing' | null;
 
 /** That picture, once it is computed. */
-export const known = (exact: Exact): Grid<number> | null => (exact === 'computing' ? null : exact);
+export const known = (exact: Exact): Pixels | null => (exact === 'computing' ? null : exact);
 
 export function isLayer(name: string | null): name is Layer {
   return (layers as readonly (string | null)[]).includes(name);
@@ -52,7 +50,7 @@ export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exac
   const cells = (ink: (i: number, j: number) => number): Cells => ({
     width,
     height,
-    of: [layer, picture, picture.version, z, z?.version, exact],
+    of: [layer, picture.version, exact],
     row: (j, columns) => {
       const row = new Uint32Array(columns.length);
       for (let at = 0; at < row.length; at++) row[at] = ink(columns[at] ?? 0, j);
@@ -65,8 +63,8 @@ export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exac
     case 'depths': {
       const range = depthRange(scene);
       return cells((i, j) => {
-        const depth = isPainted(picture.at(i, j)) ? z?.at(i, j) : undefined;
-        return depthInk(depth ?? '-inf', range);
+        const depth = isPainted(picture.at(i, j)) ? z?.near(i, j) : undefined;
+        return depthInk(depth ?? -Infinity, range);
       });
     }
     case 'exact':
@@ -79,8 +77,7 @@ export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exac
   }
 }
 
-function depthInk(z: N, [far, near]: readonly [number, number]): number {
-  const depth = toNumber(z);
+function depthInk(depth: number, [far, near]: readonly [number, number]): number {
   if (!Number.isFinite(depth)) return textured('nothing', 0);
   return inkAt(near > far ? (depth - far) / (near - far) : 1);
 }
@@ -108,7 +105,7 @@ export interface Difference {
 }
 
 /** The difference between the picture and the exact one. */
-export function differenceOf(picture: Grid<number>, exact: Grid<number>): Difference {
+export function differenceOf(picture: Pixels, exact: Pixels): Difference {
   const count = { wrong: 0, lacking: 0 };
   for (let j = 0; j < picture.height; j++) {
     const [row, right] = [picture.row(j), exact.row(j)];

@@ -1,7 +1,7 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import { thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
-import type { Sight } from '../replay/quadtree.js';
+import type { Sight } from '../replay/screen.js';
 import { box, path, target } from './mark.js';
 import type { Mark } from './mark.js';
 

@@ -1,5 +1,5 @@
-import { toColor } from '../replay/grid.js';
-import type { Grid } from '../replay/grid.js';
+import { toColor } from '../replay/color.js';
+import type { Pixels } from '../replay/screen.js';
 import type { Area } from '../trace/header.js';
 import { boxData } from './shapes.js';
 
@@ -29,7 +29,7 @@ function* runsOf(row: ArrayLike<number>, top: number): Generator<Run> {
  * The picture as vectors in the plane: runs of equal pixels, joined where the next row has the same run. The colours are in
  * the order of their first occurrence, from the top.
  */
-export function patchesOf(picture: Grid<number>, area: Area): readonly Patch[] {
+export function patchesOf(picture: Pixels, area: Area): readonly Patch[] {
   const data = new Map<number, string[]>();
   const close = ({ pixel, first, end, top }: Run, bottom: number): void => {
     const box = [area.x + first, area.y + top, end - first, bottom - top] as const;
@@ -37,7 +37,7 @@ export function patchesOf(picture: Grid<number>, area: Area): readonly Patch[] {
   };
   let open = new Map<number, Run>();
   for (let j = 0; j < picture.height; j++) {
-    if (j > 0 && picture.areSame(j, j - 1)) continue;
+    if (picture.repeats(j)) continue;
     const row = picture.row(j);
     const above = open;
     open = new Map();

@@ -1,7 +1,7 @@
 import { nobody } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import type { View } from '../algorithm/view.js';
-import { isPainted, toColor } from '../replay/grid.js';
+import { isPainted, toColor } from '../replay/color.js';
 import type { Screen } from '../replay/screen.js';
 import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';

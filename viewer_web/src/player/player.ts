@@ -140,7 +140,7 @@ export class PlayerElement extends StageElement {
     const { language, trace } = this;
     const pixel = this.chosen.history?.pixel ?? null;
     const { things: asked } = this.predictor;
-    const step = trace === null ? 0 : this.pilot.follow(trace, this.step);
+    const step = trace === null ? 0 : this.step;
     const findings = trace && this.side === 'exact' ? this.checkOf(trace).findings : undefined;
     const found = findings ? findingMarks(findings, step) : this.marginMarks();
     const choice = { language, pixel, pointed: this.pointing.at, asked, ...(found && { found }) };
@@ -191,12 +191,8 @@ export class PlayerElement extends StageElement {
     this.announcer.say(view.texts.news.panel(this.isEdited ? scene : sideName(this.side, view)));
   }
 
-  /** Cancels a long seek. Otherwise it closes the questions, unless the run waits for an answer. */
+  /** Closes the questions, unless the run waits for an answer. */
   escape(): void {
-    if (this.pilot.isUnderWay) {
-      this.pilot.cancel();
-      return;
-    }
     if (this.side !== 'predict') return;
     if (this.predictor.leave()) this.toggleSide('predict');
     else this.refuse('answerFirst');
@@ -243,7 +239,7 @@ export class PlayerElement extends StageElement {
         @pointerleave=${this.pointing.onLeave}
       >
         <div class="dock">
-          ${this.announcer.render()} ${this.pilot.render(this.language)}
+          ${this.announcer.render()}
           <div class="said">
             <p
               class="sentence"

@@ -83,7 +83,7 @@ export class Source implements ReactiveController {
   private stop(): void {
     this.stopReading();
     const { host } = this;
-    host.trace?.stop();
+    host.trace?.end('stopped');
     host.length = host.trace?.timeline.length ?? 0;
     this.notice = host.trace && noticeOf(host.trace);
     host.requestUpdate();

@@ -3,11 +3,8 @@ import type { PropertyValues } from 'lit';
 import { property } from 'lit/decorators.js';
 import { isSpeed } from '../base/setting.js';
 import { Clock } from '../elements/clock.js';
-import { canonical } from '../replay/canonical.js';
 import type { Trace } from '../replay/trace.js';
 import type { Command } from '../time/command.js';
-import { Pilot } from './pilot.js';
-import { Ripening } from './ripening.js';
 
 /** An element at a step of a trace, which can play from there. An event `vidno-step` reports each new step. */
 export class TimedElement extends LitElement {
@@ -25,15 +22,6 @@ export class TimedElement extends LitElement {
   /** Whether the first trace plays immediately, unless the reader prefers reduced motion. */
   @property({ type: Boolean }) play = false;
   readonly clock = new Clock(this, (steps) => this.advance(steps));
-  protected readonly pilot = new Pilot(this, (step) => this.moveTo(step));
-  protected readonly ripening = new Ripening(this);
-
-  /** The current state in the form in which readers of a trace are compared. */
-  canonicalState(): unknown {
-    if (this.trace === null) return null;
-    const { header, timeline } = this.trace;
-    return canonical(timeline.seek(this.clamped(this.step)), header, timeline.lines.at(this.step));
-  }
 
   get first(): number {
     return Math.min(Math.max(0, Math.trunc(this.from) || 0), this.length);
@@ -69,14 +57,6 @@ export class TimedElement extends LitElement {
     else if (command.do === 'seek') this.moveTo(command.step);
   }
 
-  /** The update is complete only when a long seek has reached its step. */
-  protected override async getUpdateComplete(): Promise<boolean> {
-    const isComplete = await super.getUpdateComplete();
-    if (!this.pilot.isUnderWay) return isComplete;
-    await this.pilot.arrival;
-    return this.getUpdateComplete();
-  }
-
   moveTo(step: number): void {
     this.clock.stop();
     this.step = this.clamped(step);
@@ -98,7 +78,6 @@ export class TimedElement extends LitElement {
     if (this.trace === null) return;
     this.step = this.clamped(this.step);
     if (this.play) this.begin();
-    this.ripening.follow(this.trace);
   }
 
   private begin(): void {

@@ -8,7 +8,7 @@ import { polygonsAgree } from '../testing/polygon-answers.js';
 import { regionsAgree } from '../testing/region-answers.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import { toNumber } from '../language/words.js';
-import type { Values } from '../replay/state.js';
+import type { Values } from '../replay/values.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { Trace } from '../replay/trace.js';

@@ -7,11 +7,11 @@ import {
   formatOf,
   oneOf,
   optional,
+  parseJson,
   part,
   text,
 } from '../trace/check.js';
 import type { Check } from '../trace/check.js';
-import { parseJson } from '../trace/parse.js';
 import { Refusal, describe } from '../trace/refusal.js';
 import { stateParts } from '../algorithm/state-part.js';
 import type { StatePart } from '../algorithm/state-part.js';

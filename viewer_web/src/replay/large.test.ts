@@ -86,7 +86,7 @@ describe('a large area', () => {
   const side = 16384;
 
   it('is divided into no more windows than the eye can distinguish, and these are found at once', () => {
-    const levels = new Grid<number>(side, side, 14, (n) => new Uint8Array(n));
+    const levels = new Pixels(side, side, 14, (n) => new Uint8Array(n));
     let looks = 0;
     const at = levels.at.bind(levels);
     levels.at = (i, j) => {

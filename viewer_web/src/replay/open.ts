@@ -1,14 +1,16 @@
-import code from '../app/worker.js?code';
-import { read } from './read.js';
-import type { News, Order } from './read.js';
-import { starterOf } from './start-worker.js';
-import { keep } from './trace.js';
+import { Unpacked } from '../trace/unpacked.js';
+import { ready } from './engine.js';
+import { Opening, Unreadable } from './trace.js';
 import type { Trace } from './trace.js';
-
-const startWorker = starterOf(code);
 
 /** Milliseconds between reports of progress: more frequent ones would only keep the page busy. */
 const pause = 200;
+/** Milliseconds of reading after which the page may respond. */
+const atOnce = 12;
+/** The bytes that are read at once. */
+const piece = 2 ** 17;
+/** A longer text would fill the memory of the page. */
+const mostBytes = 2 ** 30;
 
 /** The callbacks while a file is read. */
 export interface Readers {
@@ -18,67 +20,66 @@ export interface Readers {
   failed(error: unknown): void;
 }
 
-/** A smaller file is read before the library is loaded. */
-const small = 2 ** 16;
+const breath = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+function* piecesOf(part: Uint8Array): Generator<Uint8Array> {
+  for (let from = 0; from < part.length; from += piece) yield part.subarray(from, from + piece);
+}
 
 /**
- * Reads a file in a worker, or in the page if the policy of the surrounding page allows no worker. Uses the library if
- * there is one and the file is large enough. Returns a function that stops the reading.
+ * Reads a trace, plain or gzip. Yields it before each part and at its end, so that the end brings new steps, by which the
+ * components notice it. Throws Unreadable for a file that is not a trace, from its first event on.
  */
-export function openTrace(
-  file: Blob,
-  { grown, failed }: Readers,
-  library: () => Promise<WebAssembly.Module> | null = () => null,
-): () => void {
-  const worker = startWorker();
+export async function* read(file: Blob, most = mostBytes): AsyncGenerator<Trace> {
+  await ready();
+  const opening = new Opening();
+  const unpacked = new Unpacked(file);
+  let bytes = 0;
+  for await (const part of unpacked.pieces()) {
+    for (const next of piecesOf(part)) {
+      const { trace } = opening;
+      if (trace !== null) {
+        trace.read = unpacked.read / file.size;
+        yield trace;
+      }
+      bytes += next.length;
+      if (bytes > most && trace !== null) {
+        trace.end('limit');
+        yield trace;
+        return;
+      }
+      opening.append(next);
+      if (opening.trace?.shortened?.why === 'wrong') {
+        yield opening.broken();
+        return;
+      }
+    }
+  }
+  if (unpacked.isBroken && bytes === 0) throw new Unreadable('broken gzip data');
+  yield opening.finish();
+}
+
+/** Reads a file between other work of the page. Returns a function that stops the reading. */
+export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
   let isOver = false;
-  const stop = (): void => {
-    isOver = true;
-    worker.onmessage = null;
-    worker.terminate();
-  };
-  let trace: Trace | null = null;
-  let told = -Infinity;
-  const take = (news: News): void => {
-    // The report comes before the newest part is added. The end of a trace therefore always brings new steps, by which the
-    // components notice it.
-    if (trace !== null && trace.timeline.length > 0 && performance.now() >= told + pause) {
-      if (news.is === 'part') grown(trace);
-      told = performance.now();
-    }
-    trace = keep(trace, news);
-    if (trace?.complete !== true) return;
-    stop();
-    grown(trace);
-  };
-  const fail = (error: unknown): void => {
-    stop();
-    failed(error);
-  };
-  const readHere = async (): Promise<void> => {
-    worker.terminate();
-    for await (const news of read(file)) {
+  const readOn = async (): Promise<void> => {
+    let [told, rested] = [-Infinity, performance.now()];
+    for await (const trace of read(file)) {
       if (isOver) return;
-      take(news);
+      const now = performance.now();
+      if (trace.complete || (trace.timeline.length > 0 && now >= told + pause)) {
+        grown(trace);
+        told = now;
+      }
+      if (now < rested + atOnce) continue;
+      await breath();
+      rested = performance.now();
     }
   };
-  worker.onmessage = ({ data }: MessageEvent<News>): void => {
-    try {
-      take(data);
-    } catch (error) {
-      fail(error);
-    }
-  };
-  worker.addEventListener('error', (event) => {
-    if (trace === null && !isOver) void readHere().catch(fail);
-    else fail(event);
+  void readOn().catch((error: unknown) => {
+    if (!isOver) failed(error);
   });
-  worker.addEventListener('messageerror', fail);
-  const start = async (): Promise<void> => {
-    // Without the library everything is read as well, but more slowly.
-    const module = file.size < small ? null : await library()?.catch(() => null);
-    if (!isOver) worker.postMessage({ file, library: module ?? null } satisfies Order);
+  return () => {
+    isOver = true;
   };
-  void start();
-  return stop;
 }

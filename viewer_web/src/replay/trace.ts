@@ -1,16 +1,79 @@
+import { headerOf } from '../trace/header.js';
 import type { Header } from '../trace/header.js';
-import type { Complaint, Ending, News, Part, Shortened } from './read.js';
+import { engine } from './engine.js';
 import { Timeline } from './timeline.js';
+
+/** What is wrong with a line of a file: the place in the line and the reason, in the library's words. */
+export interface Complaint {
+  readonly line: number;
+  readonly path: string;
+  readonly reason: string;
+}
+
+/** The file is truncated, the run was stopped, it is too long for a page, or the reader stopped reading it. */
+export interface Ended {
+  readonly why: 'cut' | 'partial' | 'limit' | 'stopped';
+  readonly line: number;
+}
+
+/** Why the trace is shorter than the run, or than its file with a wrong line. */
+export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
 /** A file that is not a trace. */
 export class Unreadable extends Error implements Complaint {
-  readonly line: number;
-  readonly refusal: Complaint['refusal'];
+  constructor(
+    readonly reason: string,
+    readonly path = '',
+    readonly line = 1,
+  ) {
+    super(`line ${line}: ${path} ${reason}`);
+  }
+}
 
-  constructor({ line, refusal }: Complaint) {
-    super(`line ${line}: ${refusal.path} ${refusal.reason}`);
-    this.line = line;
-    this.refusal = refusal;
+/** The library's reason, "/path: reason" or a reason alone. */
+function placed(told: string): Pick<Complaint, 'path' | 'reason'> {
+  const [, path = '', reason = told] = /^(\/\S*): (.*)$/su.exec(told) ?? [];
+  return { path, reason };
+}
+
+/** A trace that is read piece by piece. Its trace exists once its first line was read. */
+export class Opening {
+  trace: Trace | null = null;
+  private readonly number = engine().exports.trace_open();
+
+  /** Throws Unreadable if the file is not a trace. */
+  append(bytes: Uint8Array): void {
+    engine().ask(bytes);
+    this.expect(engine().exports.trace_append(this.number));
+  }
+
+  /** The file has ended. Throws Unreadable if it is not a trace. */
+  finish(): Trace {
+    this.expect(engine().exports.trace_finish(this.number));
+    return this.broken();
+  }
+
+  /** The trace as far as it was read. Throws Unreadable if its first event is wrong: then there is no run. */
+  broken(): Trace {
+    const { trace } = this;
+    if (trace === null) throw new Error('a trace without a header');
+    const { shortened, timeline } = trace;
+    if (shortened?.why === 'wrong' && timeline.length === 0) {
+      throw new Unreadable(shortened.reason, shortened.path, shortened.line);
+    }
+    trace.complete = true;
+    return trace;
+  }
+
+  private expect(isRead: number): void {
+    if (isRead === 0) {
+      const { path, reason } = placed(engine().messages());
+      throw new Unreadable(reason, path);
+    }
+    engine().exports.trace_header(this.number);
+    const header = this.trace === null ? engine().made() : '';
+    if (header !== '') this.trace = new Trace(this.number, headerOf(header));
+    this.trace?.grow();
   }
 }
 
@@ -22,46 +85,33 @@ export class Trace {
   /** The share of the file that was read, from 0 to 1. */
   read = 0;
 
-  constructor(readonly header: Header) {
-    this.timeline = new Timeline(header);
+  constructor(
+    private readonly number: number,
+    readonly header: Header,
+  ) {
+    this.timeline = new Timeline(number, header);
   }
 
-  add(news: Part | Ending): void {
-    if (news.is === 'part') {
-      this.timeline.append(news.block);
-      this.read = news.read;
-    } else {
-      this.shortened = news.shortened;
-      this.complete = true;
-    }
+  /** Looks for what was read meanwhile. */
+  grow(): void {
+    this.timeline.grow();
+    engine().exports.trace_shortened(this.number);
+    const told = engine().made();
+    if (told === '') return;
+    const { why, line, reason } = JSON.parse(told) as Ended & { readonly reason: string };
+    this.shortened = reason === '' ? { why, line } : { why: 'wrong', line, ...placed(reason) };
   }
 
-  /** Stops waiting for the rest. */
-  stop(): void {
-    this.shortened = { why: 'stopped', line: this.timeline.length + 1 };
-    this.complete = true;
-  }
-
-  /** Ends the run before a wrong line. */
-  breakOff({ line, refusal }: Complaint): void {
-    this.shortened = { why: 'wrong', line, refusal };
+  /** Ends the reading here: the reader stopped it, or the file is too long. */
+  end(why: 'stopped' | 'limit'): void {
+    this.shortened = { why, line: this.timeline.length + 1 };
     this.complete = true;
   }
 }
 
-/** Assembles a trace from the reports about a file; throws `Unreadable` for a complaint. */
-export function follow(trace: Trace | null, news: News): Trace | null {
-  if (news.is === 'complaint') throw new Unreadable(news);
-  if (news.is === 'header') return new Trace(news.header);
-  trace?.add(news);
-  return trace;
-}
-
-/** The same, but a wrong line does not affect the events before it. */
-export function keep(trace: Trace | null, news: News): Trace | null {
-  if (news.is !== 'complaint' || trace === null || trace.timeline.length === 0) {
-    return follow(trace, news);
-  }
-  trace.breakOff(news);
-  return trace;
+/** A trace whose bytes are all here. */
+export function traceOf(bytes: Uint8Array): Trace {
+  const opening = new Opening();
+  opening.append(bytes);
+  return opening.finish();
 }

@@ -1,6 +1,6 @@
 import { sha256 } from '@noble/hashes/sha2';
 import { Instance } from '../replay/instance.js';
-import type { Basics, LinesFound } from '../replay/instance.js';
+import type { Basics } from '../replay/instance.js';
 
 /** The exports of vidno.wasm; `trace/wasm/live.cpp` documents them. */
 interface Exports extends Basics {
@@ -9,15 +9,6 @@ interface Exports extends Basics {
   findings(): number;
   margin(): number;
   failure(): number;
-  made(): number;
-  made_size(): number;
-  messages(): number;
-  messages_size(): number;
-}
-
-/** A whole trace in bytes, and the positions of its lines. */
-export interface MadeTrace extends LinesFound {
-  readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
 export interface Outcome<T> {
@@ -40,41 +31,35 @@ export class Library {
     });
   }
 
-  /** Makes a trace; `copy` takes its bytes out of the library's memory, which the next request overwrites. */
-  run(
-    request: string,
-    copy = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => bytes.slice(),
-  ): Outcome<MadeTrace> {
-    const { instance } = this;
-    const { run, made, made_size } = instance.exports;
-    return this.outcome(request, run, () => ({
-      bytes: copy(instance.bytes(made(), made_size())),
-      ...instance.lines(),
-    }));
+  /**
+   * Makes a trace. `take` gets its bytes in the library's memory, which the next request overwrites.
+   */
+  run<T>(request: string, take: (bytes: Uint8Array<ArrayBuffer>) => T): Outcome<T> {
+    return this.outcome(request, this.instance.exports.run, () => take(this.instance.madeBytes()));
   }
 
   /** One character per place; see `live.cpp`. */
   map(request: string): Outcome<string> {
-    const { map, made, made_size } = this.instance.exports;
-    return this.outcome(request, map, () => this.instance.text(made(), made_size()));
+    return this.textOf(request, this.instance.exports.map);
   }
 
   /** The list of a run's decisions, `vidno-decisions/1`. */
   findings(request: string): Outcome<string> {
-    const { findings, made, made_size } = this.instance.exports;
-    return this.outcome(request, findings, () => this.instance.text(made(), made_size()));
+    return this.textOf(request, this.instance.exports.findings);
   }
 
   /** The region to which a vertex may be moved, `vidno-margin/1`. */
   margin(request: string): Outcome<string> {
-    const { margin, made, made_size } = this.instance.exports;
-    return this.outcome(request, margin, () => this.instance.text(made(), made_size()));
+    return this.textOf(request, this.instance.exports.margin);
   }
 
   /** The description of a failure as JSON; see `live.cpp`. */
   failure(request: string): Outcome<string> {
-    const { failure, made, made_size } = this.instance.exports;
-    return this.outcome(request, failure, () => this.instance.text(made(), made_size()));
+    return this.textOf(request, this.instance.exports.failure);
+  }
+
+  private textOf(request: string, make: () => number): Outcome<string> {
+    return this.outcome(request, make, () => this.instance.made());
   }
 
   private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {
@@ -83,11 +68,6 @@ export class Library {
     const start = performance.now();
     const isMade = make() !== 0;
     const milliseconds = performance.now() - start;
-    const { messages, messages_size } = instance.exports;
-    return {
-      made: isMade ? take() : null,
-      messages: instance.text(messages(), messages_size()),
-      milliseconds,
-    };
+    return { made: isMade ? take() : null, messages: instance.messages(), milliseconds };
   }
 }

@@ -1,4 +1,5 @@
 import { fileIn } from '../base/base64.js';
+import { ready } from '../replay/engine.js';
 import { starterOf } from '../replay/start-worker.js';
 import type { Answer, Order, What } from './worker.js';
 import code from './worker.js?code';
@@ -72,6 +73,8 @@ export class Maker<W extends What> {
 
   private async send(turn: number): Promise<void> {
     const module = await moduleOf(this.library);
+    // Replays what the library makes.
+    await ready();
     if (this.running?.turn !== turn || this.waiting === null) return;
     this.worker ??= this.started(module);
     this.running = { turn, since: performance.now() };

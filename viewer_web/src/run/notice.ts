@@ -5,7 +5,8 @@ import { noticeStyle } from '../elements/notice.style.js';
 import { base } from '../elements/theme.js';
 import { complaint, texts, wrongLine } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { Shortened } from '../replay/read.js';
+import { NoWebAssembly } from '../replay/engine.js';
+import type { Shortened } from '../replay/trace.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 import { unheld } from '../base/unheld.js';
@@ -134,6 +135,7 @@ export class NoticeElement extends LitElement {
     if (notice.error instanceof Unreadable) {
       return complaint(notice.name, notice.error, this.language);
     }
+    if (notice.error instanceof NoWebAssembly) return page.noWebAssembly;
     return page.broken(notice.name);
   }
 }

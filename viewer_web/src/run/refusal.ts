@@ -1,4 +1,4 @@
-import { filled, valuesIn } from '../base/filled.js';
+import { inWords } from '../language/library-reason.js';
 import type { SceneTexts } from '../language/scene-texts.js';
 import type { Sketch } from './sketch.js';
 
@@ -69,25 +69,4 @@ function ofFormula(reason: string, say: SceneTexts): string {
   return x === undefined || z === undefined
     ? say.formula(inWords(reason, say))
     : say.notFiniteAt(Number(x), Number(z));
-}
-
-/** A reason may begin with its subject: "rint: no such function". */
-function inWords(reason: string, { reasons, missing }: SceneTexts): string {
-  const [, lacking] = /^"([^"]+)" is missing$/u.exec(reason) ?? [];
-  if (lacking !== undefined) return missing(lacking);
-  const whole = known(reason, reasons);
-  if (whole !== undefined) return whole;
-  const [, about = '', rest = ''] = /^(.*): (.*)$/su.exec(reason) ?? [];
-  const end = known(rest, reasons);
-  return end === undefined ? reason : `${about}: ${end}`;
-}
-
-/** The words for a reason, which may have values in place of `{}`. */
-function known(reason: string, reasons: SceneTexts['reasons']): string | undefined {
-  if (reason in reasons) return reasons[reason];
-  for (const [words, own] of Object.entries(reasons)) {
-    const values = words.includes('{}') ? valuesIn(words, reason) : null;
-    if (values !== null) return filled(own, ...values);
-  }
-  return undefined;
 }

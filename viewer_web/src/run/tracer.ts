@@ -1,13 +1,11 @@
-import { Trace } from '../replay/trace.js';
+import { traceOf } from '../replay/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { Library } from './library.js';
 import type { Outcome } from './library.js';
-import { readMade } from './made.js';
-import type { Made } from './made.js';
 import { Maker, moduleOf } from './maker.js';
 import type { Options } from './options.js';
 import { sceneText } from './sketch.js';
 import type { Sketch } from './sketch.js';
-import { TwoBuffers } from './two-buffers.js';
 
 /** A longer run is partial: the page shows its beginning. */
 const mostEvents = 1_000_000;
@@ -36,7 +34,6 @@ export class Tracer {
   /** The library in the page's own thread, after the first quick run, and the options of the last run prepared in it. */
   private own: Library | null = null;
   private prepared: Options | null = null;
-  private readonly buffers = new TwoBuffers();
   /** The events of the last run, if it was quick. */
   private lastQuick: number | null = null;
 
@@ -62,15 +59,14 @@ export class Tracer {
     const { own, lastQuick, maker } = this;
     if (own === null || lastQuick === null || maker.isBusy || scene.curves !== null) return false;
     const request = requestOf(scene, options, mostAfter(lastQuick));
-    const outcome = own.run(request, (bytes) => this.buffers.copy(bytes));
-    const traced = this.taken({ ...outcome, made: outcome.made && readMade(outcome.made) });
+    const traced = this.taken(own.run(request, traceOf));
     if (traced.trace?.shortened) return false;
     this.tell(traced);
     return true;
   }
 
-  private take(answer: Outcome<Made>): void {
-    const traced = this.taken(answer);
+  private take({ made, ...outcome }: Outcome<Uint8Array>): void {
+    const traced = this.taken({ ...outcome, made: made && traceOf(made) });
     this.tell(traced);
     // The page's own thread has no functions for surfaces.
     const isQuick = this.lastQuick !== null && traced.trace?.header.scene.curves === null;
@@ -85,12 +81,11 @@ export class Tracer {
     const { asked, maker, lastQuick } = this;
     if (asked === null || maker.isBusy || lastQuick === null) return;
     this.own ??= new Library(module);
-    this.own.run(asked.request);
+    this.own.run(asked.request, () => null);
     this.prepared = asked.options;
   }
 
-  private taken({ made, messages, milliseconds }: Outcome<Made>): Traced {
-    const trace = made && traceOf(made);
+  private taken({ made: trace, messages, milliseconds }: Outcome<Trace>): Traced {
     this.lastQuick = milliseconds <= quick ? (trace?.timeline.length ?? null) : null;
     return { trace, messages };
   }
@@ -99,13 +94,4 @@ export class Tracer {
   forget(): void {
     this.maker.forget();
   }
-}
-
-function traceOf({ header, blocks, end }: Made): Trace {
-  const trace = new Trace(header);
-  for (const block of blocks) trace.add({ is: 'part', block, read: 1 });
-  const isPartial = end.partial === true;
-  const shortened = isPartial ? { why: 'partial' as const, line: end.events + 1 } : null;
-  trace.add({ is: 'end', end, shortened });
-  return trace;
 }

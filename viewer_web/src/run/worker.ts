@@ -1,11 +1,10 @@
 import { Library } from './library.js';
 import type { Outcome } from './library.js';
-import { readMade } from './made.js';
-import type { Made } from './made.js';
 
 /** The results that the library makes for the page. */
 export interface Makes {
-  readonly trace: Made;
+  /** The bytes of a trace. */
+  readonly trace: Uint8Array<ArrayBuffer>;
   readonly map: string;
   readonly findings: string;
   readonly margin: string;
@@ -41,9 +40,6 @@ scope.onmessage = ({ data }) => {
     scope.postMessage({ turn, ...library[what](request) }, []);
     return;
   }
-  const outcome = library.run(request);
-  const { made } = outcome;
-  // The arrays, which all blocks share, are transferred and not copied.
-  const given = made === null ? [] : [made.bytes.buffer, made.starts.buffer, made.names.buffer];
-  scope.postMessage({ turn, ...outcome, made: made && readMade(made) }, given);
+  const outcome = library.run(request, (bytes) => bytes.slice());
+  scope.postMessage({ turn, ...outcome }, outcome.made === null ? [] : [outcome.made.buffer]);
 };

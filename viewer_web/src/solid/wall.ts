@@ -6,7 +6,7 @@ import {
   PlaneGeometry,
   SRGBColorSpace,
 } from 'three';
-import type { Grid } from '../replay/grid.js';
+import type { Pixels } from '../replay/screen.js';
 import { order } from './order.js';
 import type { Space } from './space.js';
 
@@ -30,7 +30,7 @@ export class Wall {
     this.mesh.position.z = -depth / 2;
   }
 
-  show(picture: Grid<number>): void {
+  show(picture: Pixels): void {
     const step = Math.ceil(Math.max(picture.width, picture.height) / most);
     const texture = this.sized(Math.ceil(picture.width / step), Math.ceil(picture.height / step));
     const { data, width, height } = texture.image;

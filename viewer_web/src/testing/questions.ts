@@ -1,7 +1,7 @@
 import { kinds } from '../predict/question.js';
 import type { Kind, Part, Question } from '../predict/question.js';
 import { nextQuestion } from '../predict/questions.js';
-import type { Values } from '../replay/state.js';
+import type { Values } from '../replay/values.js';
 import type { Trace } from '../replay/trace.js';
 
 /** The first question of a kind at or after a step. */

@@ -1,6 +1,6 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { read } from '../replay/read.js';
+import { read } from '../replay/trace.js';
 import { Timeline } from '../replay/timeline.js';
 import { follow, keep } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';

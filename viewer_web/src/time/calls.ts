@@ -1,5 +1,5 @@
-import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
+import { depthChanges } from '../trace/events.js';
 
 export type Direction = -1 | 1;
 

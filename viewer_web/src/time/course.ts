@@ -1,7 +1,6 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
-import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
-import { eventNames } from '../trace/events.js';
+import { depthChanges, eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { indexFrom } from './goals.js';

@@ -3,11 +3,6 @@ import { Refusal, describe } from './refusal.js';
 /** Checks an unknown value, and returns it with its type or throws. */
 export interface Check<T> {
   (value: unknown, path: string): T;
-  /**
-   * A regular expression of JSON texts that the check certainly accepts, including all that a run writes. Values of a check
-   * without one are always parsed.
-   */
-  readonly plain?: string;
   /** A field that may be missing. */
   readonly optional?: true;
 }
@@ -26,56 +21,46 @@ export type Recorded<F> = Obligatory<F> & Optional<F>;
 
 const child = (path: string, key: string): string => (path === '' ? key : `${path}.${key}`);
 
-const nothing = '(?!)';
-
-export const plainOf = ({ plain }: Check<unknown>): string => plain ?? nothing;
-
-/** A check with the plain form of the values that it accepts. */
-export function written<T>(plain: string, take: (value: unknown, path: string) => T): Check<T> {
-  return Object.assign(take, { plain });
-}
-
 export function optional<T>(check: Check<T>): OptionalCheck<T> {
   const take: Check<T> = (value, path) => check(value, path);
-  return Object.assign(take, { plain: plainOf(check), optional: true } as const);
+  return Object.assign(take, { optional: true } as const);
 }
 
-/** The limited number of digits makes numbers finite, and whole numbers safe. */
-const natural = '(?:0|[1-9]\\d{0,14})';
-const integer = `-?${natural}`;
-export const plainNumber = `${integer}(?:\\.\\d{1,20})?(?:e[+-]?\\d{1,2})?`;
-export const plainText = '"[^"\\\\\\x00-\\x1f]*"';
+/** The value of a text in JSON. Throws the reason `empty` for a text without content. */
+export function parseJson(text: string, empty: 'emptyFile' | 'emptyLine' = 'emptyFile'): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw text.trim() === '' ? new Refusal('', empty) : new Refusal('', 'notJson', describe(text));
+  }
+}
 
-export const bool = written('(?:true|false)', (value, path) => {
+export const bool: Check<boolean> = (value, path) => {
   if (typeof value === 'boolean') return value;
   throw new Refusal(path, 'bool', describe(value));
-});
+};
 
-export const text = written(plainText, (value, path) => {
+export const text: Check<string> = (value, path) => {
   if (typeof value === 'string') return value;
   throw new Refusal(path, 'text', describe(value));
-});
+};
 
-export const finite = written(plainNumber, (value, path) => {
+export const finite: Check<number> = (value, path) => {
   if (typeof value === 'number' && Number.isFinite(value)) return value;
   throw new Refusal(path, 'number', describe(value));
-});
+};
 
-export const whole = written(integer, (value, path) => {
+export const whole: Check<number> = (value, path) => {
   if (typeof value === 'number' && Number.isSafeInteger(value)) return value;
   throw new Refusal(path, 'whole', describe(value));
-});
+};
 
-export const count = written(natural, (value, path) => inRange(value, path, 0));
+export const count: Check<number> = (value, path) => inRange(value, path, 0);
 
-export function between(least: number, greatest: number): Check<number> {
-  const isOfDigits = least >= -9 && greatest <= 9 && greatest >= 0;
-  const negative = least < 0 ? `|-[1-${-least}]` : '';
-  const digits = `(?:[${Math.max(0, least)}-${greatest}]${negative})`;
-  return written(isOfDigits ? digits : nothing, (value, path) =>
-    inRange(value, path, least, greatest),
-  );
-}
+export const between =
+  (least: number, greatest: number): Check<number> =>
+  (value, path) =>
+    inRange(value, path, least, greatest);
 
 function inRange(
   value: unknown,
@@ -91,10 +76,10 @@ function inRange(
 export function oneOf<const T extends string | number | boolean>(
   ...values: readonly T[]
 ): Check<T> {
-  return written(anyOf(values.map((value) => JSON.stringify(value))), (value, path) => {
+  return (value, path) => {
     if (values.includes(value as T)) return value as T;
     throw new Refusal(path, 'oneOf', values.join(', '), describe(value));
-  });
+  };
 }
 
 const versioned = /^vidno-[a-z]+\/(\d+)$/;
@@ -112,52 +97,11 @@ export function formatOf<const T extends string>(format: T): Check<T> {
   };
 }
 
-const anyOf = (plain: readonly string[]): string => `(?:${plain.join('|')})`;
-
-/** An ASCII text that matches the pattern from `^` to `$`. */
-export function matching(
-  pattern: RegExp,
-  otherwise: 'color' | 'label' | 'hash' | 'kernel',
-): Check<string> {
-  return written(`"${pattern.source.slice(1, -1)}"`, (value, path) => {
-    if (typeof value === 'string' && pattern.test(value)) return value;
-    throw new Refusal(path, otherwise, describe(value));
-  });
-}
-
 export function list<T>(item: Check<T>): Check<readonly T[]> {
-  const each = plainOf(item);
-  return written(`\\[(?:${each}(?:,${each})*)?\\]`, (value, path) => {
+  return (value, path) => {
     if (!Array.isArray(value)) throw new Refusal(path, 'list', describe(value));
     return value.map((inside, i) => item(inside, `${path}[${i}]`));
-  });
-}
-
-/** A value that one of the checks accepts, such as the answer to a decision. */
-export function either<const C extends readonly Check<unknown>[]>(
-  ...checks: C
-): Check<Checked<C[number]>> {
-  return written(anyOf(checks.map(plainOf)), (value, path) => {
-    for (const check of checks) {
-      try {
-        return check(value, path) as Checked<C[number]>;
-      } catch (refusal) {
-        if (!(refusal instanceof Refusal)) throw refusal;
-      }
-    }
-    throw new Refusal(path, 'answer', describe(value));
-  });
-}
-
-type Tuple<C extends readonly Check<unknown>[]> = { readonly [I in keyof C]: Checked<C[I]> };
-
-export function tuple<const C extends readonly Check<unknown>[]>(...items: C): Check<Tuple<C>> {
-  return written(`\\[${items.map(plainOf).join(',')}\\]`, (value, path) => {
-    if (!Array.isArray(value) || value.length !== items.length) {
-      throw new Refusal(path, 'listOf', String(items.length), describe(value));
-    }
-    return items.map((item, i) => item(value[i], `${path}[${i}]`)) as unknown as Tuple<C>;
-  });
+  };
 }
 
 type Members = Readonly<Record<string, unknown>>;
@@ -210,23 +154,5 @@ export function oneKind<const K extends Kinds>(kinds: K): Check<OneKind<K>> {
   return (value, path) => {
     const { is } = kind(value, path);
     return { is, ...checks.get(is)?.(value, path) } as OneKind<K>;
-  };
-}
-
-/** An object with exactly these fields, except optional ones. Unknown fields are refused. */
-export function record<F extends Fields>(fields: F): Check<Recorded<F>> {
-  const needed = Object.entries(fields).filter(([, { optional: may }]) => may !== true);
-  return (value, path) => {
-    const object = objectFor(fields, value, path);
-    const result: Record<string, unknown> = {};
-    for (const [key, inside] of Object.entries(object)) {
-      const check = Object.hasOwn(fields, key) ? fields[key] : undefined;
-      if (check === undefined) throw new Refusal(child(path, key), 'unknownKey');
-      result[key] = check(inside, child(path, key));
-    }
-    for (const [key] of needed) {
-      if (!Object.hasOwn(result, key)) throw new Refusal(child(path, key), 'missing');
-    }
-    return result as Recorded<F>;
   };
 }

@@ -1,39 +1,32 @@
-import type { Checked, Fields, Check, Recorded } from './check.js';
 import { callsFrom, eventsOf, kinds as table } from './event-table.js';
-import type { decisions } from './event-table.js';
+import type { Decision, Events } from './event-table.js';
 
-/**
- * The events of `vidno-trace/1`. Their types and the check of a line are derived from one table, which the build makes from
- * the program's table in trace/format/event.h.
- */
+/** The events of `vidno-trace/1`. Their types are derived from the program's table in trace/format/event.h. */
 
 export { isFamily } from './editions.js';
 export { callsFrom, corners, eventsOf } from './event-table.js';
+export type { Decision, Events } from './event-table.js';
 
 export const details = ['windows', 'polygons', 'signs'] as const;
 export type Detail = (typeof details)[number];
 export type Procedure = keyof typeof callsFrom;
-export type Decision = (typeof decisions)[number];
 
-/**
- * The properties of an event name: the lines of the listing that have it, the lowest level that includes it, its fields,
- * the call that it ends, and its decision.
- */
+/** The properties of an event name. */
 export interface AnyKind {
-  readonly at: Check<string>;
+  /** The lines of the listing that have it; null for any line. */
+  readonly at: readonly string[] | null;
+  /** The lowest level that includes it. */
   readonly from: Detail;
-  readonly fields: Fields;
+  readonly fields: readonly string[];
+  /** The fields with numbers of the run's kernel. */
+  readonly numbers: readonly string[];
+  /** The call that it ends. */
   readonly resultOf?: Procedure;
   readonly decides?: Decision;
 }
 
 type Kinds = typeof table;
-export type EventName = keyof Kinds;
-export type Events = {
-  readonly [K in EventName]: { readonly e: K; readonly at: Checked<Kinds[K]['at']> } & Recorded<
-    Kinds[K]['fields']
-  >;
-};
+export type EventName = keyof Events;
 /** Any event, or the events with a name. */
 export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
 
@@ -68,7 +61,7 @@ export const tells = (method: Method, name: EventName): boolean =>
   (eventsOf[method] as readonly EventName[]).includes(name);
 
 /** Whether the event may occur at any line of a run. */
-export const isToldAnywhere = (name: EventName): boolean => kinds[name].at === kinds.call.at;
+export const isToldAnywhere = (name: EventName): boolean => kinds[name].at === null;
 
 /** Whether it goes from window to window. */
 export const hasWindows = (method: Method): boolean => tells(method, 'pop');
@@ -76,6 +69,16 @@ export const hasWindows = (method: Method): boolean => tells(method, 'pop');
 export const drawsCurves = (method: Method): boolean => tells(method, 'curve');
 /** Whether it has three lists of polygons: besides the usual one, those of surrounding and of outside polygons. */
 export const hasThreeLists = (method: Method): boolean => tells(method, 'join');
+
+/** The change in call depth of each event, by the number of its name. At a level without calls a result ends nothing. */
+export function depthChanges(detail: Detail): readonly number[] {
+  return eventNames.map((name) => {
+    const { resultOf } = kinds[name];
+    if (name === 'call') return 1;
+    if (resultOf === undefined) return 0;
+    return details.indexOf(detail) >= details.indexOf(callsFrom[resultOf]) ? -1 : 0;
+  });
+}
 
 /** The event names by their numbers: passes over numbers are faster than over events. */
 export const eventNames = Object.keys(kinds) as readonly EventName[];

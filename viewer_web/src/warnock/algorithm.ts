@@ -27,7 +27,6 @@ import { course, goals } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
 import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
-import './model.js';
 import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
@@ -80,7 +79,7 @@ defineAlgorithm(methods.filter(hasWindows), {
   course,
   outline,
   goals,
-  watch: (pixel, { detail }) => new WarnockWatch(pixel, detail),
+  watch: (pixel, { header: { detail } }) => new WarnockWatch(pixel, detail),
   heading: ({ warnock }) => warnock?.window ?? null,
   owners(event, known, header) {
     if (event.e === 'fill') return ownersOf(event, known, header);

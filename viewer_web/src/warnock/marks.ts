@@ -5,7 +5,7 @@ import type { Draws } from '../picture/event-marks.js';
 import { polygonInHand, polygonMark } from '../picture/in-hand.js';
 import { box, cornerOf, edgeOf, path, point } from '../picture/mark.js';
 import type { Mark, Role } from '../picture/mark.js';
-import type { Sight } from '../replay/quadtree.js';
+import type { Sight } from '../replay/screen.js';
 import type { Corner, Vertex } from '../trace/values.js';
 import { containmentMarks, splitMarks } from './containment-marks.js';
 
@@ -14,7 +14,7 @@ function treeMarks({ screen, after }: View, sight: Sight): readonly Mark[] {
   const { root, way = [] } = after.warnock ?? {};
   if (!root) return [];
   return [
-    { kind: 'boxes', role: 'tree', boxes: screen.windows(root, sight) },
+    { kind: 'boxes', role: 'tree', boxes: screen.windows(sight) },
     { kind: 'boxes', role: 'way', boxes: way },
   ];
 }

@@ -5,14 +5,6 @@ import type { Known, Words } from '../language/words.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
-import type { Warnock } from './state.js';
-
-declare module '../language/words.js' {
-  interface Known {
-    readonly warnock?: Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> &
-      Partial<Pick<Warnock, 'way' | 'joined' | 'contained'>>;
-  }
-}
 
 /** The corner of a window at a point, named as in the text; null if there is none. */
 export function cornerAt(at: readonly N[], window: Box | null): Corner | null {

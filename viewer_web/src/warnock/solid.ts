@@ -23,7 +23,7 @@ import type { N, Vertex } from '../trace/values.js';
 import { comparedPolygon, cornerDepths } from './solid-corners.js';
 import type { CornerDepth } from './solid-corners.js';
 import { depthsAtPoint, pointInHand } from './solid-point.js';
-import type { Clip } from './state.js';
+import type { Warnock } from './state.js';
 
 /** Warnock's algorithm in the box: the window as a column, and the geometry of the decision in it. */
 export function drawing(view: View, space: Space): Drawing {
@@ -53,7 +53,7 @@ const spotOf = (vertex: Vertex): Spot => [
   toNumber(vertex[2]),
 ];
 
-function clipDrawing({ vertices, next }: Clip): Partial<Drawing> {
+function clipDrawing({ vertices, next }: NonNullable<Warnock['clip']>): Partial<Drawing> {
   const kept = next.map(spotOf);
   return {
     lines: [...cased('clip', vertices.map(spotOf)), ...cased('clip-new', kept, false)],

@@ -17,7 +17,6 @@ import { figureOf } from './figure.js';
 import { RegionWatch } from './history.js';
 import { marks } from './marks.js';
 import { plane } from '../polygons/ask-plane.js';
-import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { sentences } from './sentences.js';
@@ -40,7 +39,7 @@ defineAlgorithm(['weiler-atherton'], {
     { name: 'list', at: ['pop_list'] },
     { name: 'region', at: ['show'] },
   ],
-  watch: (pixel) => new RegionWatch(pixel),
+  watch: (pixel, { timeline }) => new RegionWatch(pixel, (step) => timeline.valuesAt(step)),
   heading({ weilerAtherton }, event) {
     // Once regions are painted no list is current.
     if (event.e === 'paint' || event.e === 'order') return event.polygon;

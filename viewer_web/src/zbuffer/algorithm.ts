@@ -17,7 +17,6 @@ import { changesAel, course, goals } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
 import { ZBufferWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
-import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { sentences } from './sentences.js';

@@ -7,7 +7,7 @@ import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { hasRoomForDepths } from '../replay/screen.js';
+import { keepsDepths } from '../replay/screen.js';
 import type { N } from '../trace/values.js';
 import { emptyZBuffer } from './state.js';
 
@@ -84,7 +84,7 @@ export class DepthsElement extends LitElement {
     const { area } = header.scene;
     const { row, last } = after.zbuffer ?? emptyZBuffer;
     const shown = (row ?? last.row ?? area.y) - area.y;
-    const columns = around(this.column - area.x, z.width, columnsShown);
+    const columns = around(this.column - area.x, area.width, columnsShown);
     return html`<table>
       <thead>
         <tr>
@@ -93,11 +93,11 @@ export class DepthsElement extends LitElement {
         </tr>
       </thead>
       <tbody>
-        ${around(shown, z.height, rowsShown).map(
+        ${around(shown, area.height, rowsShown).map(
           (j) =>
             html`<tr class=${classMap({ row: j + area.y === row })}>
               <th scope="row">${j + area.y}</th>
-              ${columns.map((i) => this.cell(z.row(j)[i] ?? 'nan', this.isTouched(i + area.x, j + area.y)))}
+              ${columns.map((i) => this.cell(z.at(i, j), this.isTouched(i + area.x, j + area.y)))}
             </tr>`,
         )}
       </tbody>
@@ -108,7 +108,7 @@ export class DepthsElement extends LitElement {
   private get missing(): string {
     const { texts, header } = this.view;
     if (header.detail === 'windows') return texts.notInTrace;
-    return hasRoomForDepths(header.scene) ? texts.none : texts.depthsTooMany;
+    return keepsDepths(header) ? texts.none : texts.depthsTooMany;
   }
 
   /** The current column: that of the pixel, or the middle of the visible part of the row. */

@@ -12,10 +12,11 @@ export const page: PageTexts = {
   reading: (name) => `Reading ${name}…`,
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent}% of the file`,
   stopReading: 'Stop here',
-  onTheWay: (step) => `On the way to step ${step}`,
   cancel: 'Cancel',
   unreadable: (name, line, where, reason) =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  noWebAssembly:
+    "This page forbids WebAssembly, by which vidno replays a trace; the header “Content-Security-Policy: script-src 'self' 'wasm-unsafe-eval'” allows it.",
   emptyFile: (name) => `${name}: the file is empty.`,
   unknown: (name) => `The link names “${name}”, which this page does not contain.`,
   unheld:

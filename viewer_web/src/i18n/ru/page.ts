@@ -12,10 +12,11 @@ export const page: PageTexts = {
   reading: (name) => `Чтение ${name}…`,
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   stopReading: 'Остановить',
-  onTheWay: (step) => `Переход к шагу ${step}`,
   cancel: 'Отмена',
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  noWebAssembly:
+    "Этой странице запрещён WebAssembly, которым vidno воспроизводит трассы; разрешает его заголовок «Content-Security-Policy: script-src 'self' 'wasm-unsafe-eval'».",
   emptyFile: (name) => `Файл ${name} пуст.`,
   unknown: (name) => `Ссылка ведёт к «${name}», а на этой странице такого нет.`,
   unheld:

@@ -2,6 +2,7 @@ import type { SceneTexts } from '../../language/scene-texts.js';
 import { withoutDoubledSigns } from '../../language/words.js';
 import words from '../../trace/format-words.json' with { type: 'json' };
 import { short } from './numbers.js';
+import { traceReasons } from './trace-reasons.js';
 
 export const scene: SceneTexts = {
   scene: 'Сцена',
@@ -67,6 +68,7 @@ export const scene: SceneTexts = {
   at: (line, column) => `строка ${line}, символ ${column}`,
   missing: (key) => `нет поля «${key}»`,
   reasons: {
+    ...traceReasons,
     [words.other.en]: words.other.ru,
     [words.newer.en]: words.newer.ru,
     [words.older.en]: words.older.ru,

@@ -1,0 +1,234 @@
+/// replay.wasm: the library in a page's own thread. It reads traces and has the state of their runs after any step.
+///
+/// exchange.h says how a page asks. A trace has a number. An append adds the request to the trace's file; it may end anywhere. The other
+/// functions need no request. What they make is text in UTF-8: JSON, or nothing.
+///
+///     trace_open()           the number of a new trace, which has no bytes yet
+///     trace_close(t)         forgets it
+///     trace_append(t)        adds the next bytes of its file; false if the file is not a trace, for the reason in the messages, "/path:
+///                            reason" or "reason"; it is then forgotten
+///     trace_finish(t)        the file has ended; false in the same way
+///     trace_header(t)        makes the first line as the library writes it; nothing before it was read
+///     trace_shortened(t)     makes {"why":"cut"|"partial"|"wrong","line":N,"reason":R}, with the reason of a wrong line in the form of
+///                            the messages, otherwise empty; nothing if the steps are those of the file so far
+///     trace_length(t)        the number of steps read so far
+///     trace_names(t)         for each step the index of its event in the table of events, one byte each
+///     trace_line(t, step)    makes the text of a step's event as it was read
+///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last (values.h)
+///
+/// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an empty one has.
+///
+///     painted_at(t)          the last step that changed the pixels or the depths
+///     divided_at(t)          the last step that divided a window
+///     is_ground(t)           whether pixels that nothing has painted are background, and not merely unpainted so far
+///     pixel(t, x, y)         a pixel of the plane as a canvas has it: red in the lowest byte. One that nothing has painted has the colour
+///                            of the background with alpha 0. One outside the area is 0.
+///     painter(t, x, y)       the step that painted it last; 0 if none has
+///     pixel_rows(t, y, n)    the pixels of the area's n rows from y, one after the other
+///     row_repeats(t, y)      whether the pixels of a row are those of the row above it
+///     has_depths(t)          whether the pixels have depths
+///     depth(t, x, y)         the depth of a pixel of the area as a double, at least nearly
+///     depth_text(t, x, y)    makes it as JSON
+///     windows(t, x, y, width, height, least)
+///                            the windows of the area's division in a part of the plane: their number and then the x, y, width and height
+///                            of each, all doubles. Windows of a lesser side than `least` are left out, or merged.
+///
+/// Bytes, pixels and windows stay where they are until the next call.
+
+#include <map>
+#include <vector>
+
+#include "replay/replay.h"
+#include "wasm/exchange.h"
+
+namespace vidno {
+namespace {
+
+using Cell = Screen::Pixel;
+
+std::map<int, Replay>& replays() {
+    static std::map<int, Replay> all;
+    return all;
+}
+
+Replay& replay(int number) { return replays().at(number); }
+
+/// Lets a trace read on. What is no trace is forgotten, since no page asks about it.
+bool read_on(int number, void (*read)(Replay&, std::string& request)) {
+    const bool is_read = attempt([&](Exchange& page) { read(replay(number), page.request); });
+    if (!is_read) replays().erase(number);
+    return is_read;
+}
+
+/// The screen of a run of polygons.
+const Screen* screen_of(int number) {
+    const auto* state = std::get_if<State>(&replay(number).shown());
+    return state != nullptr ? &state->screen() : nullptr;
+}
+
+std::uint32_t in_canvas(const Cell& pixel) {
+    const auto& [color, painter] = pixel;
+    const std::uint32_t opacity = painter == 0 ? 0 : 0xFF;
+    return color.red | std::uint32_t{color.green} << 8 | std::uint32_t{color.blue} << 16 | opacity << 24;
+}
+
+bool look_the_same(const Cell& one, const Cell& other) { return in_canvas(one) == in_canvas(other); }
+
+/// A pixel of the plane, if it is one of the area.
+const Cell* pixel_at(int number, int x, int y) {
+    const Screen* screen = screen_of(number);
+    return screen != nullptr && screen->area().contains(x, y) ? &screen->pixel(x, y) : nullptr;
+}
+
+const Value* depth_at(int number, int x, int y) {
+    const Screen* screen = screen_of(number);
+    const bool has_one = screen != nullptr && screen->depths() && screen->area().contains(x, y);
+    return has_one ? &screen->depths()->at(x, y) : nullptr;
+}
+
+void append_shortened(Text& out, const Replay::Shortened& shortened) {
+    constexpr std::string_view names[] = {"cut", "partial", "wrong"};
+    out += std::string_view(R"({"why":")");
+    out += names[std::size_t(shortened.why)];
+    out += std::string_view(R"(","line":)");
+    append_integer(out, shortened.line);
+    out += std::string_view(R"(,"reason":)");
+    append_string(out, shortened.reason);
+    out += '}';
+}
+
+}  // namespace
+}  // namespace vidno
+
+extern "C" {
+
+[[clang::export_name("trace_open")]] int vidno_trace_open() {
+    static int last = 0;
+    vidno::replays().try_emplace(++last);
+    return last;
+}
+
+[[clang::export_name("trace_close")]] void vidno_trace_close(int trace) { vidno::replays().erase(trace); }
+
+[[clang::export_name("trace_append")]] bool vidno_trace_append(int trace) {
+    return vidno::read_on(trace, [](vidno::Replay& replay, std::string& bytes) { replay.append(std::move(bytes)); });
+}
+
+[[clang::export_name("trace_finish")]] bool vidno_trace_finish(int trace) {
+    return vidno::read_on(trace, [](vidno::Replay& replay, std::string&) { replay.finish(); });
+}
+
+[[clang::export_name("trace_header")]] void vidno_trace_header(int trace) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        if (!vidno::replay(trace).has_begun()) return;
+        std::visit([&](const auto& header) { page.made += vidno::header_json(header); }, vidno::replay(trace).header());
+    });
+}
+
+[[clang::export_name("trace_shortened")]] void vidno_trace_shortened(int trace) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        if (const auto& shortened = vidno::replay(trace).shortened()) vidno::append_shortened(page.made, *shortened);
+    });
+}
+
+[[clang::export_name("trace_length")]] std::size_t vidno_trace_length(int trace) {
+    return std::size_t(vidno::replay(trace).length());
+}
+
+[[clang::export_name("trace_names")]] const std::uint8_t* vidno_trace_names(int trace) {
+    return vidno::replay(trace).names().data();
+}
+
+[[clang::export_name("trace_line")]] void vidno_trace_line(int trace, std::size_t step) {
+    vidno::attempt([&](vidno::Exchange& page) { page.made += vidno::replay(trace).line(step); });
+}
+
+[[clang::export_name("trace_values")]] void vidno_trace_values(int trace, std::size_t step) {
+    vidno::attempt([&](vidno::Exchange& page) { vidno::replay(trace).append_values(page.made, step); });
+}
+
+[[clang::export_name("painted_at")]] std::uint32_t vidno_painted_at(int trace) {
+    const vidno::Screen* screen = vidno::screen_of(trace);
+    return screen != nullptr ? screen->painted_at() : 0;
+}
+
+[[clang::export_name("divided_at")]] std::uint32_t vidno_divided_at(int trace) {
+    const vidno::Screen* screen = vidno::screen_of(trace);
+    return screen != nullptr ? screen->divided_at() : 0;
+}
+
+[[clang::export_name("is_ground")]] bool vidno_is_ground(int trace) {
+    const vidno::Screen* screen = vidno::screen_of(trace);
+    return screen != nullptr && screen->is_ground();
+}
+
+[[clang::export_name("pixel")]] std::uint32_t vidno_pixel(int trace, int x, int y) {
+    const vidno::Cell* pixel = vidno::pixel_at(trace, x, y);
+    return pixel != nullptr ? vidno::in_canvas(*pixel) : 0;
+}
+
+[[clang::export_name("painter")]] std::uint32_t vidno_painter(int trace, int x, int y) {
+    const vidno::Cell* pixel = vidno::pixel_at(trace, x, y);
+    return pixel != nullptr ? pixel->painter : 0;
+}
+
+[[clang::export_name("pixel_rows")]] const std::uint32_t* vidno_pixel_rows(int trace, int first, int count) {
+    static std::vector<std::uint32_t> rows;
+    rows.clear();
+    if (const vidno::Screen* screen = vidno::screen_of(trace)) {
+        rows.reserve(std::size_t(screen->area().width) * std::size_t(count));
+        for (int y = first; y < first + count; ++y) {
+            screen->pixels().for_row(y, [](const vidno::Cell* pixels, int length) {
+                std::transform(pixels, pixels + length, std::back_inserter(rows), vidno::in_canvas);
+            });
+        }
+    }
+    return rows.data();
+}
+
+[[clang::export_name("row_repeats")]] bool vidno_row_repeats(int trace, int y) {
+    const vidno::Screen* screen = vidno::screen_of(trace);
+    if (screen == nullptr || y <= screen->area().y) return false;
+    bool repeats = true;
+    int x = screen->area().x;
+    screen->pixels().for_row(y, [&](const vidno::Cell* pixels, int length) {
+        // The pixels above are one piece, too.
+        repeats = repeats && std::equal(pixels, pixels + length, &screen->pixel(x, y - 1), vidno::look_the_same);
+        x += length;
+    });
+    return repeats;
+}
+
+[[clang::export_name("has_depths")]] bool vidno_has_depths(int trace) {
+    const vidno::Screen* screen = vidno::screen_of(trace);
+    return screen != nullptr && screen->depths().has_value();
+}
+
+[[clang::export_name("depth")]] double vidno_depth(int trace, int x, int y) {
+    const vidno::Value* depth = vidno::depth_at(trace, x, y);
+    return depth != nullptr ? vidno::number_of(*depth) : std::numeric_limits<double>::quiet_NaN();
+}
+
+[[clang::export_name("depth_text")]] void vidno_depth_text(int trace, int x, int y) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const vidno::Value* depth = vidno::depth_at(trace, x, y);
+        if (depth == nullptr) return;
+        depth->fraction ? append_string(page.made, *depth->fraction) : append_number(page.made, depth->number);
+    });
+}
+
+[[clang::export_name("windows")]] const double* vidno_windows(int trace, int x, int y, int width, int height,
+                                                              double least) {
+    static std::vector<double> told;
+    told.assign(1, 0);
+    if (const auto* state = std::get_if<vidno::State>(&vidno::replay(trace).shown())) {
+        const vidno::Window root = state->warnock().root().value_or(vidno::Window{});
+        const auto windows = state->screen().division().windows(root, {x, y, width, height}, least);
+        told[0] = double(windows.size());
+        for (const auto& window : windows) {
+            told.insert(told.end(), {window.x, window.y, window.width, window.height});
+        }
+    }
+    return told.data();
+}
+}

@@ -1,0 +1,10 @@
+/** Tests replay traces with the module that the build has compiled. */
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { ready, startEngine } from '../replay/engine.js';
+
+const built = new URL('../../../build/release/trace/wasm/replay.wasm', import.meta.url);
+const file = process.env['VIDNO_REPLAY_WASM'] ?? fileURLToPath(built);
+
+startEngine(WebAssembly.compile(readFileSync(file)));
+await ready();
