@@ -46,7 +46,7 @@ const lines = (page: Page): Promise<readonly unknown[]> =>
   page.evaluate(() => {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
     const { timeline } = player?.trace ?? {};
-    const all = timeline?.lines.at(timeline.length) ?? [];
+    const all = timeline?.linesAt(timeline.length) ?? [];
     return all.map(({ curve, from, to }) => [curve, from, to]);
   });
 

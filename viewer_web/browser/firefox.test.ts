@@ -56,7 +56,7 @@ const shown = (page: Page): Promise<Shown> =>
       sentence: root?.querySelector('.sentence')?.textContent.replace(/\s+/gu, ' ').trim() ?? '',
       at: trace.timeline.event(step)?.at ?? null,
       line: listing?.shadowRoot?.querySelector('[aria-current] .at')?.textContent ?? null,
-      state: JSON.stringify(player.canonicalState()),
+      state: JSON.stringify(trace.timeline.valuesAt(step)),
       vertex: trace.header.scene.polygons[0]?.vertices[0]?.slice() ?? [],
     };
   });

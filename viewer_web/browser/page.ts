@@ -182,18 +182,6 @@ export function cutOff(page: Page, parts: string): Promise<readonly string[]> {
     );
 }
 
-/** The canonical states of the first steps, from 0. */
-export function states(page: Page, count: number): Promise<readonly string[]> {
-  return page.evaluate((end) => {
-    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
-    if (!player) throw new Error('no player');
-    return Array.from({ length: end }, (_, step) => {
-      player.step = step;
-      return JSON.stringify(player.canonicalState());
-    });
-  }, count);
-}
-
 /** Opens a file from disk. A large file that is sent to the browser as text would take longer than Playwright waits. */
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
   const file = temporaryFile(name);

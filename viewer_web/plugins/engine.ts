@@ -11,6 +11,7 @@ export function engine(): Plugin {
   return {
     name: 'vidno-engine',
     resolveId: (id) => (id === name ? `\0${name}` : null),
-    load: (id) => (id === `\0${name}` ? `export default '${packed(readFileSync(resolve(file)))}';` : null),
+    load: (id) =>
+      id === `\0${name}` ? `export default '${packed(readFileSync(resolve(file)))}';` : null,
   };
 }

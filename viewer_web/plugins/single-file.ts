@@ -85,7 +85,9 @@ export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] 
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       const chunk = takeChunk(bundle);
       const source = String(page.source);
-      const contained = inComment(licences([chunk, ...workers], hasLibrary(chunk.code) ? libraryContents() : ''));
+      const contained = inComment(
+        licences([chunk, ...workers], hasLibrary(chunk.code) ? libraryContents() : ''),
+      );
       page.source = `${inlined(source, chunk.code)}<!--\nThis page contains:\n\n${contained}\n-->\n`;
       if (/[^\0-\x7f]/.test(page.source)) throw new Error(`${file} must be ASCII.`);
     },

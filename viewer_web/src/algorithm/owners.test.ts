@@ -44,7 +44,7 @@ async function compareOwners(run: RandomRun): Promise<void> {
       for (let i = 0; i < area.width; i++) {
         const owners = ownersAt([area.x + i, area.y + j] as Pixel);
         if (owners === null) {
-          expect(screen.painters.at(i, j)).toBe(0);
+          expect(screen.painter(area.x + i, area.y + j)).toBe(0);
           continue;
         }
         const right = polygons.find(({ color }) => color === toColor(picture.at(i, j)));

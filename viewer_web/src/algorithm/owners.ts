@@ -19,11 +19,7 @@ export const nobody = ownedBy();
 const shown = new WeakMap<Trace, Map<number, Owners>>();
 
 /** The owners of a pixel of the trace's current screen; null if it is not painted. */
-export function ownersAt(
-  trace: Trace,
-  screen: Screen,
-  [x, y]: Pixel,
-): Owners | null {
+export function ownersAt(trace: Trace, screen: Screen, [x, y]: Pixel): Owners | null {
   const step = screen.painter(x, y);
   if (step === 0) return null;
   const known = shown.get(trace) ?? new Map<number, Owners>();

@@ -68,8 +68,7 @@ type Which = 'upper' | 'lower';
 /** The height of a horizon over a column at a step; null if there is none. */
 function horizonAt({ timeline, header }: Trace, step: number) {
   const horizons = timeline.valuesAt(step).floatingHorizon?.horizons;
-  return (which: Which, x: number): N | null =>
-    horizons?.[which][x - header.scene.area.x] ?? null;
+  return (which: Which, x: number): N | null => horizons?.[which][x - header.scene.area.x] ?? null;
 }
 
 /** The parts that ask over which of some columns each horizon moves, and the steps that move them. */

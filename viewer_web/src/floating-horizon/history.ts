@@ -70,8 +70,7 @@ export class ColumnWatch implements Watch {
     this.step = step;
     if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
     const judge = judges[event.e] as Judge<EventName> | undefined;
-    const outcome =
-      event.e === 'visibility' ? this.look(event) : (judge?.(event, this.x) ?? null);
+    const outcome = event.e === 'visibility' ? this.look(event) : (judge?.(event, this.x) ?? null);
     if (outcome !== null) this.toldAt = step;
     return outcome;
   }

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
+import { headerOf, keptOf, textOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { Unreadable } from '../replay/trace.js';
 
 const header = headerOf('floating-horizon');
 const curve: Event = { e: 'curve', at: 'FH2', curve: 0 };
@@ -41,16 +40,16 @@ describe('the state of the floating horizon', () => {
     const event = timeline.event(raise);
     if (event?.e !== 'raise') throw new Error('nothing was raised');
     const over = (heights: 'horizons' | 'before'): unknown =>
-      timeline.seek(raise).columns?.[heights].upper.row(0)[event.x - of.scene.area.x];
+      timeline.valuesAt(raise).floatingHorizon?.[heights].upper[event.x - of.scene.area.x];
     expect(over('horizons')).toBe(event.y);
     expect(over('before')).not.toBe(event.y);
   });
 
   it.each([
-    ['noSuchCurve', { ...curve, curve: 2 }],
-    ['outsideArea', { e: 'raise', at: 'H2', x: 8, y: 1 }],
+    ['no curve of the scene', { ...curve, curve: 2 }],
+    ['a column outside the area', { e: 'raise', at: 'H2', x: 8, y: 1 }],
     [
-      'notOfCurve',
+      'no segment of the curve',
       {
         e: 'draw_line',
         at: 'FH6',
@@ -63,9 +62,7 @@ describe('the state of the floating horizon', () => {
     ],
   ] as const)('refuses what cannot happen: %s', async (reason, event) => {
     const text = textWith(header, [curve, event]);
-    const refused = await traceOf(text).catch((error: unknown) => error);
-    expect(refused).toBeInstanceOf(Unreadable);
-    expect((refused as Unreadable).refusal.reason).toBe(reason);
+    expect((await keptOf(text)).shortened).toMatchObject({ why: 'wrong', line: 3, reason });
   });
 
   it('has the samples of the scene, from left to right', async () => {
@@ -79,10 +76,9 @@ describe('the state of the floating horizon', () => {
         ],
       ],
     };
-    const refused = await traceOf(textWith({ ...header, scene }, [])).catch((e: unknown) => e);
-    expect((refused as Unreadable).refusal).toMatchObject({
-      path: 'scene.curves[0][1]',
-      reason: 'notRight',
+    await expect(traceOf(textWith({ ...header, scene }, []))).rejects.toMatchObject({
+      path: '/scene/curves/0/1/0',
+      reason: 'not right of the sample before',
     });
   });
 });

@@ -8,10 +8,8 @@ import type { Values } from '../replay/values.js';
 import { Unreadable } from '../replay/trace.js';
 import { allSamples } from '../testing/samples.js';
 import { tellerOf } from '../testing/teller.js';
-import { headerOf } from '../testing/traces.js';
+import { headerOf, parseHeader } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
-import { Refusal } from '../trace/refusal.js';
 import { emptyWarnock } from '../warnock/state.js';
 import type { Warnock } from '../warnock/state.js';
 import { emptyWeilerAtherton } from '../weiler-atherton/state.js';
@@ -204,12 +202,12 @@ describe('numbers', () => {
 
 describe('a complaint', () => {
   it('names file, line, place and reason', () => {
-    const error = new Unreadable({
-      line: 3,
-      refusal: new Refusal('polygon', 'noSuchPolygon', 'X'),
-    });
+    const error = new Unreadable('not a polygon of the scene', '/polygon', 3);
     expect(complaint('x.jsonl', error, 'en')).toBe(
-      'x.jsonl cannot be read as a trace. Line 3, polygon: the scene has no polygon X.',
+      'x.jsonl cannot be read as a trace. Line 3, /polygon: not a polygon of the scene.',
+    );
+    expect(complaint('x.jsonl', error, 'ru')).toBe(
+      'Файл x.jsonl не читается как трасса. Строка 3, /polygon: такого многоугольника в сцене нет.',
     );
   });
 });

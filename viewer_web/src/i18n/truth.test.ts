@@ -4,10 +4,9 @@ import { languages } from '../language/language.js';
 import { orderOf } from '../language/words.js';
 import type { Known } from '../language/words.js';
 import { tellerOf } from '../testing/teller.js';
-import { headerOf } from '../testing/traces.js';
+import { headerOf, parseHeader } from '../testing/traces.js';
 import type { Edition } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
 import { emptyWarnock } from '../warnock/state.js';
 
 const known: Known = {

@@ -1,9 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { sentence } from '../algorithm/sentence.js';
 import { texts } from '../i18n/index.js';
-import { headerOf } from '../testing/traces.js';
+import { headerOf, parseHeader } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
 import type { Language } from './language.js';
 
 const header = parseHeader(headerOf('zbuffer'));

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { toGround, toPixel } from '../replay/color.js';
-import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
+import { toPixel } from '../replay/color.js';
+import { headerOf, textOf, textWith, traceOf, parseHeader } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
 import { cellsOf, depthRange, differenceOf, layersOf } from './layers.js';
 import { opaque } from './paint.js';
 import type { Cells } from './paint.js';
@@ -62,11 +61,12 @@ describe('the depths', () => {
     const near = Math.max(...depths);
     const far = Math.min(...depths);
     for (let j = 0; j < screen.picture.height; j++) {
-      Array.from(screen.z?.row(j) as ArrayLike<number | string>, (z, i) => {
-        const ink = rowOf(cells, j)[i] ?? NaN;
+      const inks = rowOf(cells, j);
+      for (let i = 0; i < screen.picture.width; i++) {
+        const [z, ink = NaN] = [screen.z?.at(i, j), inks[i]];
         if (z === '-inf') expect(ink).not.toBe(opaque(ink));
         else expect(ink).toBe(inkAt((Number(z) - far) / (near - far)));
-      });
+      }
     }
   });
 });
@@ -89,7 +89,7 @@ describe('the layers of a trace', () => {
 describe('the picture so far', () => {
   it('is the background where nothing was painted', async () => {
     const screen = await screenAfter(fill(0, 1, '#112233'));
-    expect(screen.picture.row(0)[1]).toBe(toGround('#ffffff'));
+    expect(screen.picture.row(0)[1]).toBe(0xffffff);
     const row = rowOf(cellsOf('picture', screen, null), 0);
     expect([row[0], row[1]]).toEqual([toPixel('#112233'), toPixel('#ffffff')]);
   });

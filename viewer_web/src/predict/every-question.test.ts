@@ -173,7 +173,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
     if (question.kind !== 'pixels') return;
     const { area } = trace.header.scene;
     const cell = (step: number, x: string): unknown =>
-      trace.timeline.seek(step).screen.z?.row(question.about.row - area.y)[Number(x) - area.x];
+      trace.timeline.seek(step).screen.z?.at(Number(x) - area.x, question.about.row - area.y);
     for (const { value } of question.parts[0]?.options ?? []) {
       const isOther = cell(question.step, value) !== cell(question.until, value);
       expect(right['shown']?.includes(value)).toBe(isOther);
@@ -182,7 +182,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   flags: ({ trace, question, right }) => {
     const { timeline, header } = trace;
     for (const { value } of question.parts[0]?.options ?? []) {
-      const flags = timeline.seek(question.until).columns?.flags.row(0);
+      const flags = timeline.valuesAt(question.until).floatingHorizon?.flags;
       const flag = flags?.[Number(value) - header.scene.area.x];
       expect(right['above']?.includes(value)).toBe(flag === 1 || flag === 2);
       expect(right['below']?.includes(value)).toBe(flag === -1 || flag === 2);
@@ -219,23 +219,25 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
     if (event?.e !== 'intersection' || from === undefined || to === undefined) return;
     const [x, y] = event.point.map(toNumber);
     const which = right['meets']?.[0] === 'upper' ? 'upper' : 'lower';
-    const { columns } = trace.timeline.seek(question.step);
+    const { floatingHorizon } = trace.timeline.valuesAt(question.step);
     const height = (at: number): number =>
-      toNumber(columns?.before[which].row(0)[at - trace.header.scene.area.x] ?? 'nan');
+      toNumber(floatingHorizon?.before[which][at - trace.header.scene.area.x] ?? 'nan');
     const [left, next] = event.columns;
     const part = left === next ? 0 : (x ?? NaN) - left;
     expect(height(left) + (height(next) - height(left)) * part).toBeCloseTo(y ?? NaN, 9);
   },
 };
 
-/** The state over the columns. The page computes it from the events, independent of the question. */
+/** The horizon over a column. */
 const over = (
   trace: Trace,
   step: number,
   x: string,
   which: 'upper' | 'lower',
 ): N | null | undefined =>
-  trace.timeline.seek(step).columns?.horizons[which].row(0)[Number(x) - trace.header.scene.area.x];
+  trace.timeline.valuesAt(step).floatingHorizon?.horizons[which][
+    Number(x) - trace.header.scene.area.x
+  ];
 
 describe.each(all)('every question of %s', { timeout: 60_000 }, (_name, content) => {
   it('has the answer of the later state', async () => {

@@ -23,7 +23,14 @@ interface Exports extends Basics {
   has_depths(trace: number): number;
   depth(trace: number, x: number, y: number): number;
   depth_text(trace: number, x: number, y: number): void;
-  windows(trace: number, x: number, y: number, width: number, height: number, least: number): number;
+  windows(
+    trace: number,
+    x: number,
+    y: number,
+    width: number,
+    height: number,
+    least: number,
+  ): number;
 }
 
 /** The library in the page's own thread, which answers at once. It holds traces and the states of their runs. */

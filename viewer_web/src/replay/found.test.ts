@@ -5,11 +5,9 @@ import type { Event } from '../trace/events.js';
 import { emptyWarnock } from '../warnock/state.js';
 import type { Warnock } from '../warnock/state.js';
 import { emptyZBuffer } from '../zbuffer/state.js';
-import { canonical } from './canonical.js';
+import type { ZBuffer } from '../zbuffer/state.js';
 import type { Trace } from './trace.js';
 
-const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
-  canonical(timeline.seek(step), header, []);
 const warnockAt = ({ timeline }: Trace, step: number): Warnock =>
   timeline.seek(step).values.warnock ?? emptyWarnock;
 
@@ -39,7 +37,7 @@ describe('a finding about a window or a polygon', () => {
     expect(found(5)).toEqual([2, true, '#112233', true, '-inf']);
     expect(found(7)).toEqual(nothing);
     expect(found(8)).toEqual([0, false, null, false, '-inf']);
-    expect(stateAt(trace, 7)).toMatchObject({ warnock: { count: 2, color: '#112233' } });
+    expect(warnockAt(trace, 7).last).toMatchObject({ count: 2, color: '#112233' });
   });
 
   it('does not apply to the next polygon, although the variables keep it', async () => {
@@ -48,12 +46,10 @@ describe('a finding about a window or a polygon', () => {
     const left: Event = { e: 'leave', at: 'Z10', edges: [], next: 5 };
     const events = [...samples.polygon, ...samples.scanline, left, sorted, next];
     const trace = await traceOf(textWith(headerOf('zbuffer'), events));
-    const scanned = (step: number): unknown => {
-      const { y, row, nextS, nextAel } = trace.timeline.seek(step).values.zbuffer ?? emptyZBuffer;
-      return [y, row, nextS, nextAel];
-    };
-    expect(scanned(4)).toEqual([2.5, 2, 5, 4]);
-    expect(scanned(5)).toEqual([null, null, null, null]);
-    expect(stateAt(trace, 5)).toMatchObject({ zbuffer: { y: 2.5, row: 2, nextS: 5, nextAel: 4 } });
+    const at = (step: number): ZBuffer => trace.timeline.valuesAt(step).zbuffer ?? emptyZBuffer;
+    const scanned = { y: 2.5, row: 2, nextS: 5, nextAel: 4 };
+    expect(at(4)).toMatchObject({ ...scanned, last: scanned });
+    const nothing = { y: null, row: null, nextS: null, nextAel: null };
+    expect(at(5)).toMatchObject({ ...nothing, last: scanned });
   });
 });

@@ -88,8 +88,11 @@ describe.skipIf(!existsSync(module))('Formulas in the page and in the program', 
   function inPage(text: string): Outcome {
     const options = { method: 'floating-horizon', edition: 'corrected', kernel: 'double' };
     const request = { ...options, detail: 'windows', check: false, most_events: 10000 };
-    const { made, messages } = library.run(`${JSON.stringify(request)}\n${surface(text)}`);
-    return made === null ? reasonOf(messages) : samplesOf(new TextDecoder().decode(made.bytes));
+    const { made, messages } = library.run(
+      `${JSON.stringify(request)}\n${surface(text)}`,
+      (bytes) => new TextDecoder().decode(bytes),
+    );
+    return made === null ? reasonOf(messages) : samplesOf(made);
   }
 
   const file = join(folder, 'surface.json');

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { parseHeader } from '../trace/header.js';
+import { parseHeader } from '../testing/traces.js';
 import * as sketch from './sketch.js';
 import type { Sketch, Vertex } from './sketch.js';
 
@@ -189,7 +189,7 @@ describe('the file of a scene', () => {
     ['for people', sketch.sceneFile(drawn)],
     ['for people, empty', sketch.sceneFile({ ...drawn, polygons: [] })],
   ])('%s is read as the same scene', (name, text) => {
-    const { scene } = parseHeader(header(JSON.parse(text)));
+    const { scene } = parseHeader(header(JSON.parse(text) as object));
     expect(scene.name).toBe('Two "polygons"');
     expect(scene.area).toEqual(drawn.area);
     expect(scene.polygons).toEqual(name.endsWith('empty') ? [] : drawn.polygons);

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf } from '../testing/traces.js';
-import { parseHeader } from '../trace/header.js';
+import { headerOf, parseHeader } from '../testing/traces.js';
 import { Zoom } from './zoom.js';
 
 const header = parseHeader(headerOf('warnock'));

@@ -1,11 +1,11 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { read } from '../replay/trace.js';
-import { Timeline } from '../replay/timeline.js';
-import { follow, keep } from '../replay/trace.js';
+import { read } from '../replay/open.js';
+import { Opening, Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 import { methods, tells } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
 
 const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
 
@@ -17,38 +17,34 @@ export function textOf(name: string): string {
   return readFileSync(directory + name, 'utf8');
 }
 
-/** The trace in a file with this text, after idle work, as the page would have it. At most `most` bytes are read. */
-export async function traceOf(
+/** The trace in a file with this text, up to a wrong line, as a page shows it. At most `most` bytes are read. */
+export async function keptOf(
   text: string | Uint8Array<ArrayBuffer>,
   most?: number,
 ): Promise<Trace> {
   let trace: Trace | null = null;
-  for await (const news of read(new Blob([text]), { most })) trace = follow(trace, news);
-  if (trace === null) throw new Error('a file without news');
-  trace.timeline.ripen();
+  for await (const part of read(new Blob([text]), most)) trace = part;
+  if (trace === null) throw new Error('a file without a trace');
   return trace;
 }
 
-/** The same as a page shows it: up to the wrong line. */
-export async function keptOf(text: string): Promise<Trace> {
-  let trace: Trace | null = null;
-  for await (const news of read(new Blob([text]))) trace = keep(trace, news);
-  if (trace === null) throw new Error('a file without news');
-  return trace;
+/** The same for a file in which no line is wrong. */
+export async function traceOf(
+  text: string | Uint8Array<ArrayBuffer>,
+  most?: number,
+): Promise<Trace> {
+  const trace = await keptOf(text, most);
+  const { shortened } = trace;
+  if (shortened?.why !== 'wrong') return trace;
+  throw new Unreadable(shortened.reason, shortened.path, shortened.line);
 }
 
-/** The timeline of a trace in the form that a run delivers: in one part, without keyframes. */
-export async function bareTimelineOf(text: string): Promise<Timeline> {
-  const { header, timeline } = await traceOf(text);
-  const bare = new Timeline(header);
-  const bytes = new TextEncoder().encode(text);
-  const starts = Uint32Array.from([...text.matchAll(/\n/g)].map(({ index }) => index + 1));
-  bare.append({
-    bytes,
-    starts: starts.slice(0, timeline.length + 1),
-    names: timeline.names.slice(),
-  });
-  return bare;
+/** The header in the first line of a trace. */
+export function parseHeader(header: object): Header {
+  const opening = new Opening();
+  opening.append(new TextEncoder().encode(linesOf(header)));
+  if (opening.trace === null) throw new Error('a line without a header');
+  return opening.trace.header;
 }
 
 /** A method whose runs have such events. */

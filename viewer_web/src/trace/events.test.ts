@@ -2,17 +2,8 @@ import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { describe, expect, it } from 'vitest';
-import { headerOf, methodWith, textOf, traceNames } from '../testing/traces.js';
+import { textOf, traceNames } from '../testing/traces.js';
 import { allSamples } from '../testing/samples.js';
-import { parseHeader } from './header.js';
-import { parseLine } from './parse.js';
-
-describe('a written event is read unchanged', () => {
-  it.each(allSamples.map((event) => [event.e, event] as const))('%s', (name, event) => {
-    const header = parseHeader(headerOf(methodWith(name)));
-    expect(parseLine(JSON.stringify(event), header)).toEqual({ event });
-  });
-});
 
 const schemaFile = (name: string): string =>
   fileURLToPath(new URL(`../../../trace/schema/${name}.schema.json`, import.meta.url));

@@ -17,4 +17,8 @@ export type Box = readonly [x: number, y: number, width: number, height: number]
 /** The result of a decision: yes or no, a sign, a pixel, or the range first <= i < end. */
 export type Answer = boolean | number | readonly [number, number];
 /** The operands of a decision: the names, the numbers of the run, and the right numbers, which may be undefined. */
-export type Operands = readonly (readonly [name: string, computed: string | null, exact: string | null])[];
+export type Operands = readonly (readonly [
+  name: string,
+  computed: string | null,
+  exact: string | null,
+])[];

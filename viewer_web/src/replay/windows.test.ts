@@ -4,7 +4,6 @@ import { cutsAnywhere } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
-import { levelOf } from './quadtree.js';
 import type { Trace } from './trace.js';
 
 const words = (boxes: readonly Box[]): readonly string[] =>
@@ -16,9 +15,7 @@ const everywhere = ({ x, y, width, height }: Area, least = 0) =>
 /** The leaves at a step by the state. */
 function leavesAt({ header, timeline }: Trace, step: number, least = 0): readonly string[] {
   const { area } = header.scene;
-  const { values, screen } = timeline.seek(step);
-  const root = values.warnock?.root ?? null;
-  return root === null ? [] : words(screen.windows(root, everywhere(area, least)));
+  return words(timeline.seek(step).screen.windows(everywhere(area, least)));
 }
 
 const holds = ([x, y, width, height]: Box, i: number, j: number): boolean =>
@@ -92,9 +89,7 @@ describe('the windows into which the area is divided', () => {
     const first: Event = { ...root, window: [0, 0, 7, 7] };
     const right: Event = { e: 'push', at: 'W13', window: [3.5, 0, 3.5, 3.5] };
     const trace = await traceOf(textWith(headerOf('warnock'), [first, pop([0, 0, 7, 7]), right]));
-    const { division } = trace.timeline.seek(3).screen;
-    // The centre of pixel 3 is at 3.5, where the right half begins. Pixel 7 is in no window.
-    expect(Array.from(division.row(0) as ArrayLike<number>)).toEqual([0, 0, 0, 1, 1, 1, 1, 0]);
+    expect(leavesAt(trace, 3)).toContain('3.5 0 3.5 3.5');
   });
 });
 
@@ -122,10 +117,5 @@ describe('the way to a window', () => {
       [4, 4, 4, 4],
     ]);
     expect(wayAt(8)).toEqual([[0, 0, 8, 8]]);
-  });
-
-  it('halves a side of an oblong no further than to a pixel', () => {
-    // 8 x 2 is divided into quarters of 4 x 1, then into halves of 2 x 1 and 1 x 1.
-    expect(levelOf([3, 1, 1, 1], [0, 0, 8, 2])).toBe(3);
   });
 });
