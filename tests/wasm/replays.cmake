@@ -1,12 +1,22 @@
-# For each of TRACES: replay.wasm has the states that VIDNO writes. Run with -P.
+# For each of TRACES, and for each of RUNS, the scene and the options of a trace: replay.wasm has the states that VIDNO writes. Run with -P.
 cmake_minimum_required(VERSION 3.25)
-if(NOT TRACES)
+if(NOT TRACES OR NOT RUNS)
     message(FATAL_ERROR "No trace")
 endif()
 file(MAKE_DIRECTORY ${WORK})
+set(made 0)
+foreach(run IN LISTS RUNS)
+    math(EXPR made "${made} + 1")
+    separate_arguments(words UNIX_COMMAND "${run}")
+    execute_process(COMMAND ${VIDNO} trace ${words} -o ${WORK}/${made}.jsonl RESULT_VARIABLE status ERROR_VARIABLE why)
+    # 1: the run lost something, which does not matter here.
+    if(NOT status LESS_EQUAL 1)
+        message(FATAL_ERROR "${why}")
+    endif()
+    list(APPEND TRACES ${WORK}/${made}.jsonl)
+endforeach()
 foreach(trace IN LISTS TRACES)
     execute_process(COMMAND ${VIDNO} replay ${trace} -o ${WORK}/states.jsonl RESULT_VARIABLE status ERROR_VARIABLE why)
-    # 1: the run lost something, which does not matter here.
     if(NOT status LESS_EQUAL 1)
         message(FATAL_ERROR "${why}")
     endif()
