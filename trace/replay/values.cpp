@@ -79,24 +79,27 @@ void append_lists(Text& out, Writer& writer, const WarnockState& now, const Warn
     members.end();
 }
 
-/// A line, with the first and the last column under it.
+/// A line of a state, with the first and the last column under it.
 struct DrawnLine {
-    int curve;
-    ValuePoint from, to;
-    std::pair<int, int> columns;
-    bool operator==(const DrawnLine&) const = default;
-    static void fields(auto& line, auto&& field) {
-        field("curve", line.curve);
-        field("from", line.from);
-        field("to", line.to);
-        field("columns", line.columns);
+    const VisibleLine<Value>* line;
+
+    bool operator==(const DrawnLine& other) const {
+        const auto same = [](const LineEnd<Value>& a, const LineEnd<Value>& b) {
+            return a.point.x == b.point.x && a.point.y == b.point.y && a.left == b.left && a.right == b.right;
+        };
+        return line->segment.curve == other.line->segment.curve && same(line->from, other.line->from) &&
+               same(line->to, other.line->to);
+    }
+    static void fields(const DrawnLine& drawn, auto&& field) {
+        const auto point = [](const Point<Value>& p) { return ValuePoint{p.x, p.y}; };
+        const auto& [segment, from, to] = *drawn.line;
+        field("curve", segment.curve);
+        field("from", point(from.point));
+        field("to", point(to.point));
+        field("columns", std::pair(from.right, to.left));
     }
 };
-DrawnLine as_drawn(const VisibleLine<Value>& line) {
-    const auto point = [](const Point<Value>& p) { return ValuePoint{p.x, p.y}; };
-    const auto& [segment, from, to] = line;
-    return {segment.curve, point(from.point), point(to.point), {from.right, to.left}};
-}
+DrawnLine as_drawn(const VisibleLine<Value>& line) { return {&line}; }
 
 }  // namespace
 
