@@ -102,7 +102,7 @@ describe('a large area', () => {
     { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' },
     { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' },
     { e: 'call', at: 'Z14', of: 'ShowLine' },
-    { e: 'span', at: 'Z14', row: 5, runs: [[2, 4]], depths: [0.25, '1/3'] },
+    { e: 'span', at: 'Z14', row: 5, runs: [[2, 4]], depths: [0.25, 0.5] },
   ];
 
   it('is painted without depths, for which a browser has no memory', async () => {
@@ -121,7 +121,7 @@ describe('a large area', () => {
 
   it('has depths up to 4096 pixels a side', async () => {
     const { header, timeline } = await traceOf(textWith(areaOf(4096, 'zbuffer'), line));
-    expect(timeline.seek(4).screen.z?.at(3, 5)).toBe('1/3');
+    expect(timeline.seek(4).screen.z?.at(3, 5)).toBe(0.5);
     expect(layersOf(header, null)).toEqual(['picture', 'depths']);
   });
 });

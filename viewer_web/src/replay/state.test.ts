@@ -157,7 +157,7 @@ const impossible: readonly (readonly [string, 'warnock' | 'zbuffer', readonly Ev
       'an order of others',
       'zbuffer',
       [polygon, added, ...samples.ael_sort.slice(1)],
-      'an order of entries that are not those of AEL',
+      'an edge that is not in AEL',
     ],
   ];
 

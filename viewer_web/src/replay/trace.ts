@@ -13,11 +13,19 @@ export interface Complaint {
 /** The file is truncated, the run was stopped, it is too long for a page, or the reader stopped reading it. */
 export interface Ended {
   readonly why: 'cut' | 'partial' | 'limit' | 'stopped';
+  /** The last line that was read. */
   readonly line: number;
 }
 
 /** Why the trace is shorter than the run, or than its file with a wrong line. */
 export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
+
+/** The same as the library tells it. */
+interface Told {
+  readonly why: 'cut' | 'partial' | 'wrong';
+  readonly line: number;
+  readonly reason: string;
+}
 
 /** A file that is not a trace. */
 export class Unreadable extends Error implements Complaint {
@@ -98,8 +106,9 @@ export class Trace {
     engine().exports.trace_shortened(this.number);
     const told = engine().made();
     if (told === '') return;
-    const { why, line, reason } = JSON.parse(told) as Ended & { readonly reason: string };
-    this.shortened = reason === '' ? { why, line } : { why: 'wrong', line, ...placed(reason) };
+    const { why, line, reason } = JSON.parse(told) as Told;
+    this.shortened =
+      why === 'wrong' ? { why, line, ...placed(reason) } : { why, line: this.timeline.length + 1 };
   }
 
   /** Ends the reading here: the reader stopped it, or the file is too long. */

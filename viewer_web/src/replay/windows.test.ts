@@ -84,13 +84,6 @@ describe('the windows into which the area is divided', () => {
     );
     expect(leavesAt(trace, length, 3)).toEqual([...large, '4 4 4 4']);
   });
-
-  it('may be halves of an odd area, as in the printed text', async () => {
-    const first: Event = { ...root, window: [0, 0, 7, 7] };
-    const right: Event = { e: 'push', at: 'W13', window: [3.5, 0, 3.5, 3.5] };
-    const trace = await traceOf(textWith(headerOf('warnock'), [first, pop([0, 0, 7, 7]), right]));
-    expect(leavesAt(trace, 3)).toContain('3.5 0 3.5 3.5');
-  });
 });
 
 describe('the way to a window', () => {

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { read } from '../replay/open.js';
 import { Opening, Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
-import { methods, tells } from '../trace/events.js';
+import { drawsCurves, methods, tells } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
@@ -122,6 +122,8 @@ export function linesOf(...values: readonly unknown[]): string {
 
 /** A trace of these events as text, including its last line. */
 export function textWith(header: object, events: readonly Event[]): string {
-  const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
+  const { method } = header as { method: Method };
+  const result = drawsCurves(method) ? 'lines' : 'picture';
+  const end = { end: { events: events.length, [result]: `sha256:${'0'.repeat(64)}` } };
   return linesOf(header, ...events, end);
 }
