@@ -108,7 +108,11 @@ describe('a colour', () => {
       polygons: ['A', 'B', 'C'].map((id) => ({
         id,
         color: id === 'C' ? '#ffffff' : '#112233',
-        vertices: [],
+        vertices: [
+          [0, 0, 0],
+          [8, 0, 0],
+          [8, 8, 0],
+        ],
       })),
     },
   });

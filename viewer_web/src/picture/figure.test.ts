@@ -76,7 +76,7 @@ describe('a figure', () => {
   });
 
   it('has names as text, with markup escaped and forbidden characters removed', async () => {
-    const name = '</text><script>"&\u0000\ud800';
+    const name = '</text><script>"&\u0000\uffff';
     const text = textWith(headerOf('warnock'), [push]).replaceAll('"A"', JSON.stringify(name));
     const figure = figureOf(await viewAt(text, 1));
     const safe = '&lt;/text&gt;&lt;script&gt;&quot;&amp;\ufffd\ufffd';

@@ -25,7 +25,9 @@ function reasonsIn(source: string): readonly string[] {
   const literals = readFileSync(path, 'utf8').matchAll(
     /(?:refuse\(|Refused\(|Impossible\{|place_among\(\w+, |reason = )("(?:[^"\\]|\\.)*")[)}]/gu,
   );
-  return [...literals].map(([, literal = '""']) => JSON.parse(literal) as string);
+  return [...literals]
+    .map(([, literal = '""']) => JSON.parse(literal) as string)
+    .filter((reason) => !reason.includes('this command'));
 }
 
 const inRussian = (reason: string): string =>

@@ -175,7 +175,7 @@ describe('a sketch reaches out of its area', () => {
 
 describe('the file of a scene', () => {
   const drawn = { ...drawing(square, triangle), name: 'Two "polygons"' };
-  const header = (scene: unknown): unknown => ({
+  const header = (scene: unknown): object => ({
     format: 'vidno-trace/1',
     method: 'warnock',
     edition: 'corrected',
@@ -189,7 +189,7 @@ describe('the file of a scene', () => {
     ['for people', sketch.sceneFile(drawn)],
     ['for people, empty', sketch.sceneFile({ ...drawn, polygons: [] })],
   ])('%s is read as the same scene', (name, text) => {
-    const { scene } = parseHeader(header(JSON.parse(text) as object));
+    const { scene } = parseHeader(header(JSON.parse(text)));
     expect(scene.name).toBe('Two "polygons"');
     expect(scene.area).toEqual(drawn.area);
     expect(scene.polygons).toEqual(name.endsWith('empty') ? [] : drawn.polygons);

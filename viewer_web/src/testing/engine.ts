@@ -6,5 +6,8 @@ import { ready, startEngine } from '../replay/engine.js';
 const built = new URL('../../../build/release/trace/wasm/replay.wasm', import.meta.url);
 const file = process.env['VIDNO_REPLAY_WASM'] ?? fileURLToPath(built);
 
-startEngine(WebAssembly.compile(readFileSync(file)));
-await ready();
+// The test files of a process share the engine.
+await ready().catch(() => {
+  startEngine(WebAssembly.compile(readFileSync(file)));
+  return ready();
+});
