@@ -3,7 +3,7 @@ import { isAlwaysRight } from '../trace/editions.js';
 import { eventNames, kinds, numberOf } from '../trace/events.js';
 
 /** In a checked run each of these events has the right answer. */
-const isDecision = eventNames.map((name) => 'exact' in kinds[name].fields);
+const isDecision = eventNames.map((name) => kinds[name].fields.includes('exact'));
 const disagree = numberOf.get('disagree') ?? -1;
 
 /** The runs whose answer is final. */

@@ -48,7 +48,7 @@ export class Instance<E extends Basics> {
 
   /** A view of the memory. It must not be kept, because the memory moves as it grows. */
   bytes(at: number, size: number): Uint8Array<ArrayBuffer> {
-    return new Uint8Array(this.exports.memory.buffer as ArrayBuffer, at, size);
+    return new Uint8Array(this.exports.memory.buffer, at, size);
   }
 }
 

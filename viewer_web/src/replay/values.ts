@@ -120,9 +120,8 @@ export class Telling {
     const { warnock, ...others } = this.raw as unknown as Raw;
     const isSame = warnock === old && Object.keys(lists).length === 0;
     this.before = this.current;
-    this.current = warnock
-      ? { ...others, warnock: (isSame && this.before?.warnock) || this.withLists(warnock) }
-      : others;
+    const kept = isSame ? this.before?.warnock : undefined;
+    this.current = warnock ? { ...others, warnock: kept ?? this.withLists(warnock) } : others;
     return this.current;
   }
 

@@ -44,7 +44,7 @@ export const goalsOf = (method: Method): readonly GoalName[] => [
   'bookmark',
 ];
 
-const havePolygon: Wanted = eventNames.map((name) => 'polygon' in kinds[name].fields);
+const havePolygon: Wanted = eventNames.map((name) => kinds[name].fields.includes('polygon'));
 
 /** Whether a step is a goal; `name` is the number of its event's name. */
 type Test = (step: number, name: number) => boolean;
