@@ -188,7 +188,6 @@ export interface PageTexts extends FileTexts {
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
   readonly stopReading: string;
-  readonly cancel: string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly unknown: (name: string) => string;
   /** A link that could not hold what it was made from. */

@@ -24,7 +24,8 @@ export class Timeline {
     private readonly trace: number,
     private readonly header: Header,
   ) {
-    forgotten.register(this, trace);
+    // Screens outlive their timeline, and hold this.
+    forgotten.register(this.telling, trace);
   }
 
   get length(): number {

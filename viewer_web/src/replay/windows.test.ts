@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
-import { cutsAnywhere } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
@@ -36,7 +35,7 @@ function replayed(pushed: readonly Box[], { scene, method }: Trace['header']): r
   }
   const begins = (window: Box): boolean =>
     pushed.filter((each) => holds(each, window[0], window[1])).at(-1) === window;
-  return words([...found].filter((window) => !cutsAnywhere(method) || begins(window)));
+  return words([...found].filter((window) => method !== 'warnock-vertex' || begins(window)));
 }
 
 const root: Event = { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] };

@@ -3,8 +3,8 @@ import { fileURLToPath } from 'node:url';
 import { read } from '../replay/open.js';
 import { Opening, Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
-import { drawsCurves, methods, tells } from '../trace/events.js';
-import type { Detail, Event, EventName, Method } from '../trace/events.js';
+import { drawsCurves } from '../trace/events.js';
+import type { Detail, Event, Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
 const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
@@ -45,13 +45,6 @@ export function parseHeader(header: object): Header {
   opening.append(new TextEncoder().encode(linesOf(header)));
   if (opening.trace === null) throw new Error('a line without a header');
   return opening.trace.header;
-}
-
-/** A method whose runs have such events. */
-export function methodWith(name: EventName): Method {
-  const method = methods.find((each) => tells(each, name));
-  if (method === undefined) throw new Error(`no method tells ${name}`);
-  return method;
 }
 
 /** Two curves over 8 columns that cross. */

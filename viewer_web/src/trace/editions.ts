@@ -90,12 +90,6 @@ export const editionTitle = (name: NamedEdition): Bilingual => choices.editions[
 export const methodTitle = (method: MethodName): Bilingual => choices.methods[method].title;
 export const methodSays = (method: MethodName): Bilingual => choices.methods[method].says;
 
-/** The procedure that runs first, by the name of its listing. */
-export const firstProcedure = (method: MethodName): string => choices.methods[method].procedure;
-
-/** Whether a method cuts windows along arbitrary pixel boundaries instead of halving them. */
-export const cutsAnywhere = (method: MethodName): boolean => choices.methods[method].cutsAnywhere;
-
 /** The method that paints the right picture of this one, under a kernel that is always right. */
 export const referenceOf = (method: MethodName): MethodName =>
   choices.methods[method].reference as MethodName;
@@ -147,7 +141,7 @@ export const offeredKernels: readonly string[] = Object.entries(kernels).flatMap
 );
 
 /** The kernel without the number after its colon. */
-export const kindOfKernel = (kernel: string): string => kernel.split(':')[0] ?? kernel;
+const kindOfKernel = (kernel: string): string => kernel.split(':')[0] ?? kernel;
 
 /** The arithmetic of a kernel, in words. */
 export function kernelSays(kernel: string): Bilingual {
@@ -162,16 +156,3 @@ export const isAlwaysRight = (kernel: string): boolean =>
 /** The same for the scene as given; some kernels are right only for the scene that they snap. */
 export const isRightAsGiven = (kernel: string): boolean =>
   isAlwaysRight(kernel) && kernels[kindOfKernel(kernel)]?.snaps === false;
-
-/** The names of the kernels: "double", "bits:12". */
-export const kernelName = new RegExp(
-  `^(?:${Object.entries(kernels)
-    .map(([name, { parameter }]) => {
-      if (parameter === undefined) return name;
-      const { least, most } = parameter;
-      const numbers = Array.from({ length: most - least + 1 }, (_, i) => String(least + i));
-      return `${name}:(?:${numbers.join('|')})`;
-    })
-    .join('|')})$`,
-  'u',
-);

@@ -7,7 +7,6 @@ export interface Reasons {
   between: [least: string, greatest: string, found: string];
   bool: [found: string];
   text: [found: string];
-  kernel: [found: string];
   oneOf: [values: string, found: string];
   newerFormat: [format: string, found: string];
   olderFormat: [format: string, found: string];

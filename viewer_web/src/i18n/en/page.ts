@@ -12,7 +12,6 @@ export const page: PageTexts = {
   reading: (name) => `Reading ${name}…`,
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent}% of the file`,
   stopReading: 'Stop here',
-  cancel: 'Cancel',
   unreadable: (name, line, where, reason) =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   noWebAssembly:

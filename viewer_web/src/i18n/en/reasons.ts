@@ -10,7 +10,6 @@ export const reasons: ReasonTexts = {
     `a whole number from ${least} to ${greatest} is expected here, not ${found}`,
   bool: (found) => `true or false is expected here, not ${found}`,
   text: (found) => `text is expected here, not ${found}`,
-  kernel: (found) => `a kernel such as double or bits:12 is expected here, not ${found}`,
   oneOf: (values, found) => `${values} is expected here, not ${found}`,
   newerFormat: (format, found) => filled(words.newer.en, format, found),
   olderFormat: (format, found) => filled(words.older.en, format, found),

@@ -12,7 +12,6 @@ export const page: PageTexts = {
   reading: (name) => `Чтение ${name}…`,
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   stopReading: 'Остановить',
-  cancel: 'Отмена',
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   noWebAssembly:

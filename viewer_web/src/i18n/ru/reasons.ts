@@ -10,7 +10,6 @@ export const reasons: ReasonTexts = {
     `здесь должно стоять целое число от ${least} до ${greatest}, а не ${found}`,
   bool: (found) => `здесь должно стоять true или false, а не ${found}`,
   text: (found) => `здесь должен стоять текст, а не ${found}`,
-  kernel: (found) => `здесь должно стоять имя чисел, например double или bits:12, а не ${found}`,
   oneOf: (values, found) => `здесь может стоять ${values}, но не ${found}`,
   newerFormat: (format, found) => filled(words.newer.ru, format, found),
   olderFormat: (format, found) => filled(words.older.ru, format, found),
