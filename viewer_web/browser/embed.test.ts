@@ -183,13 +183,30 @@ describe('the element', () => {
     expect(await page.locator('vidno-notice p.failed').textContent()).toMatch(message);
   });
 
-  it('reads the trace itself where the policy of the page allows no worker', async () => {
-    const policy = `<meta http-equiv="Content-Security-Policy" content="worker-src 'none'">`;
-    const { page } = await course(`<vidno-player src="#run"></vidno-player>${block}`, policy);
+  const policy = (scripts: string): string =>
+    `<meta http-equiv="Content-Security-Policy" content="worker-src 'none'; script-src ${scripts}">`;
+
+  it('needs no more of the page’s policy than WebAssembly', async () => {
+    const { page } = await course(
+      `<vidno-player src="#run"></vidno-player>${block}`,
+      policy("file: 'wasm-unsafe-eval'"),
+    );
     await page.locator('.sentence').waitFor();
     await page.locator('.play').focus();
     await page.keyboard.press('End');
     expect(await step(page)).toBe(small.trim().split('\n').length - 2);
+  });
+
+  it.each([
+    ['en', /^This page forbids WebAssembly.*script-src 'self' 'wasm-unsafe-eval'/],
+    ['ru', /^Этой странице запрещён WebAssembly.*script-src 'self' 'wasm-unsafe-eval'/],
+  ])('says how a policy allows WebAssembly, in %s', async (language, sentence) => {
+    const { page } = await course(
+      `<vidno-player src="#run" lang="${language}"></vidno-player>${block}`,
+      policy('file:'),
+    );
+    await page.locator('vidno-notice p.failed').waitFor();
+    expect(await page.locator('vidno-notice p.failed').textContent()).toMatch(sentence);
   });
 
   it('is accessible', async () => {
