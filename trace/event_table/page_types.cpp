@@ -228,8 +228,11 @@ std::string page_types(const std::string& listings) {
         "numbers. */\n";
     text += "export const kinds = {\n" + for_events(AllEvents{}, []<class E> { return kind<E>(); }) + "} as const;\n";
     text += events_of_methods(listings);
+    text +=
+        "\n/** A running procedure, and its line. The first one is that of the method. */\n"
+        "export interface Frame {\nreadonly of: string;\nreadonly at: string | null;\n}\n";
     const TraceHeader header;
-    return text + interface_of("Frame", CallStack::Frame{}) + interface_of("WarnockValues", WarnockState(header)) +
+    return text + interface_of("WarnockValues", WarnockState(header)) +
            interface_of("ZBufferValues", ZBufferState(header)) +
            interface_of("WeilerAthertonValues", WeilerAthertonState(header)) +
            interface_of("FloatingHorizonValues", FloatingHorizonState::Values{});

@@ -1,6 +1,7 @@
 /// FieldWriter: the values of events and states as JSON.
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -17,8 +18,8 @@ concept Fielded = requires(const T& value) {
     T::fields(value, [](std::string_view, const auto&, const auto&...) {});
 };
 
-/// Out is `Text&`; or Pen, for a place with room for everything.
-template <class Out>
+/// Out is `Text&`; or Pen, for a place with room for everything. `Events` are the types of the events that values contain.
+template <class Out, class Events = EventTypes<>>
 class FieldWriter {
 public:
     FieldWriter(Out out, const PolygonNames& names, RememberedShortest& shortest)
@@ -38,7 +39,10 @@ public:
         out_ += '}';
     }
     void value(const Event& event) {
-        event.visit([this](const auto& e) { this->value(e); });
+        event.visit([this]<class E>(const E& e) {
+            assert(Events::template has<E>());
+            if constexpr (Events::template has<E>()) this->value(e);
+        });
     }
     template <Fielded T>
     void value(const T& v) requires(!EventType<T>) {

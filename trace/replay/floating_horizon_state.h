@@ -10,6 +10,8 @@ namespace vidno {
 class FloatingHorizonState {
 public:
     using Events = decltype(EventTypes<event::Call, event::Disagree>{} + FloatingHorizonEvents{});
+    /// The event that it keeps.
+    using Kept = EventTypes<event::Height>;
 
     using Heights = std::vector<std::optional<Value>>;  // over each column of the area
     struct Horizons {

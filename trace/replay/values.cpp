@@ -6,7 +6,8 @@ namespace vidno {
 
 namespace {
 
-using Writer = FieldWriter<Text&>;
+using Writer =
+    FieldWriter<Text&, decltype(WarnockState::Kept{} + WeilerAthertonState::Kept{} + FloatingHorizonState::Kept{})>;
 
 /// Writes the members of an object, as far as they differ from those of another.
 class Members {

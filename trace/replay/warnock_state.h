@@ -12,6 +12,8 @@ namespace vidno {
 class WarnockState {
 public:
     using Events = decltype(EventsOfAll{} + WarnockEvents{} + FamilyEvents{});
+    /// The events that it keeps.
+    using Kept = EventTypes<event::Ray, event::Octants>;
 
     struct StackedWindow {
         Window window;
@@ -110,7 +112,7 @@ public:
     const std::vector<Value>& depths() const { return depths_; }
     /// What PointColor has found so far.
     const std::optional<Nearest>& nearest() const { return nearest_; }
-    /// The edges of the outline that a test of containment has counted so far: events Ray or Octants.
+    /// The edges of the outline that a test of containment has counted so far.
     const std::vector<Event>& contained() const { return contained_; }
 
     /// The names that the page uses. The lists are written separately, since windows share them.

@@ -10,6 +10,8 @@ namespace vidno {
 class WeilerAthertonState {
 public:
     using Events = decltype(EventsOfAll{} + WeilerAthertonEvents{} + EventTypes<event::Row>{});
+    /// The event that it keeps.
+    using Kept = EventTypes<event::Pierce>;
 
     /// A part of a polygon. States share it, because it may have many corners and does not change.
     using Piece = std::shared_ptr<const PolygonPart>;
