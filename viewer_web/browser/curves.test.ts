@@ -182,7 +182,7 @@ describe('an incomplete run of curves', () => {
     const { page } = await open(browser, '#lang=en');
     const text = hills.replace('"curve","at":"FH2","curve":1', '"curve","at":"FH2","curve":7');
     await openFile(page, 'wrong.jsonl', text);
-    await page.locator('vidno-notice', { hasText: 'the scene has no curve 7' }).waitFor();
+    await page.locator('vidno-notice', { hasText: 'no curve of the scene' }).waitFor();
   });
 });
 
