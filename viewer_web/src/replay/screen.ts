@@ -38,6 +38,12 @@ export interface Depths {
   at(i: number, j: number): N;
 }
 
+/** The windows of a run that were asked for last, and what they depend on. */
+export interface Division {
+  of: string;
+  windows: readonly Box[];
+}
+
 /** What the events up to a step have written to the area; the library shows one step at a time. */
 export class Screen {
   readonly picture: Pixels;
@@ -47,6 +53,7 @@ export class Screen {
     private readonly trace: number,
     /** Makes the library show this step. */
     private readonly show: () => void,
+    private readonly division: Division,
   ) {
     const { x, y, width, height } = header.scene.area;
     const { exports } = engine();
@@ -108,31 +115,28 @@ export class Screen {
     };
   }
 
-  /** The windows into which the area is divided, as far as they are distinguishable. */
+  /** The windows into which the area is divided, as far as they are distinguishable: the same list until one is divided. */
   windows({ shown: [x, y, width, height], least }: Sight): readonly Box[] {
     this.show();
+    const { exports } = engine();
     const [left, top] = [Math.floor(x), Math.floor(y)];
-    const { windows } = engine().exports;
-    const at = windows(
-      this.trace,
-      left,
-      top,
-      Math.ceil(x + width) - left,
-      Math.ceil(y + height) - top,
-      least,
-    );
-    const { buffer } = engine().exports.memory;
-    const count = new Float64Array(buffer, at, 1)[0] ?? 0;
-    const found = new Float64Array(buffer, at + 8, 4 * count);
-    return Array.from({ length: count }, (_, i) => {
-      const [left = 0, top = 0, across = 0, down = 0] = found.subarray(4 * i);
-      return [left, top, across, down];
-    });
+    const size = [Math.ceil(x + width) - left, Math.ceil(y + height) - top] as const;
+    const of = [exports.divided_at(this.trace), left, top, ...size, least].join(' ');
+    if (this.division.of !== of) {
+      this.division.windows = boxesAt(exports.windows(this.trace, left, top, ...size, least));
+      this.division.of = of;
+    }
+    return this.division.windows;
   }
+}
 
-  /** A number that differs whenever the windows may differ. */
-  get divided(): number {
-    this.show();
-    return engine().exports.divided_at(this.trace);
-  }
+/** Windows in the library's memory: their number, and four numbers each. */
+function boxesAt(at: number): readonly Box[] {
+  const { buffer } = engine().exports.memory;
+  const count = new Float64Array(buffer, at, 1)[0] ?? 0;
+  const sides = new Float64Array(buffer, at + 8, 4 * count);
+  return Array.from({ length: count }, (_, i) => {
+    const [x = 0, y = 0, width = 0, height = 0] = sides.subarray(4 * i);
+    return [x, y, width, height];
+  });
 }

@@ -2,6 +2,7 @@ import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { engine } from './engine.js';
 import { Screen } from './screen.js';
+import type { Division } from './screen.js';
 import { Telling } from './values.js';
 import type { Line, Values } from './values.js';
 
@@ -18,6 +19,7 @@ const forgotten = new FinalizationRegistry((trace: number) => engine().exports.t
 export class Timeline {
   private column = new Uint8Array(0);
   private readonly telling = new Telling();
+  private readonly division: Division = { of: '', windows: [] };
   private last: { readonly step: number; readonly event: Event } | null = null;
 
   constructor(
@@ -61,8 +63,8 @@ export class Timeline {
 
   /** The state after the first `step` events. */
   seek(step: number): State {
-    const { header, telling, trace } = this;
-    const screen = new Screen(header, trace, () => telling.goTo(trace, step));
+    const { header, telling, trace, division } = this;
+    const screen = new Screen(header, trace, () => telling.goTo(trace, step), division);
     return { values: telling.at(trace, step), screen };
   }
 
