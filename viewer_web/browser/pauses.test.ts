@@ -6,7 +6,7 @@ import { isOpen, open, openFile, opened, shown } from './page.js';
 /** Milliseconds for a task on a machine under several times its capacity. On an idle machine a second is too long. */
 const patience = 2500;
 
-/** The side of an area that is too large for keyframes. */
+/** The side of the largest area, of which few states can be kept. */
 const side = 16_384;
 
 const header = (method: string, size: number, polygons: readonly object[]): object => ({
@@ -59,7 +59,7 @@ const longestTask = (page: Page): Promise<number> =>
   });
 
 describe('a long operation does not block the page', () => {
-  it('a long seek shows its progress, can be stopped, and runs in short tasks', async () => {
+  it('any step of a run in the largest area is shown', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const fills = Array.from({ length: 400_000 }, (_, i) => ({
       e: 'fill',
@@ -69,28 +69,19 @@ describe('a long operation does not block the page', () => {
     }));
     await opened(page, 'wide.jsonl', traceOf(header('warnock', side, polygonsOf(1)), fills));
     await watchTasks(page);
-    const way = page.locator('vidno-player .on-the-way');
-
-    await page.keyboard.press('End');
-    await way.waitFor();
-    expect(await way.locator('span').textContent()).toBe('On the way to step 400,000');
-    expect(await page.locator('vidno-player .sentence').textContent()).toContain('Nothing has');
-    await page.keyboard.press('Escape');
-    await way.waitFor({ state: 'detached' });
-    expect((await shown(page)).step).toBe(0);
-
-    const start = Date.now();
-    await page.keyboard.press('End');
-    const { step, sentence } = await shown(page);
-    const whole = Date.now() - start;
-    const longest = await longestTask(page);
-    console.log(`a way of ${whole} ms, its longest task ${longest} ms`);
-    expect(step).toBe(fills.length);
-    expect(sentence).toContain('#061a7f');
-    expect(longest).toBeLessThan(whole / 2);
-    await page.keyboard.press('ArrowLeft');
-    expect((await shown(page)).step).toBe(fills.length - 1);
-    expect(await longestTask(page)).toBeLessThan(whole / 2);
+    for (const [key, goal] of [
+      ['End', fills.length],
+      ['ArrowLeft', fills.length - 1],
+      ['Home', 0],
+    ] as const) {
+      await page.keyboard.press(key);
+      const { step, sentence } = await shown(page);
+      const longest = await longestTask(page);
+      console.log(`step ${goal}: longest task ${longest} ms`);
+      expect(step).toBe(goal);
+      if (goal === fills.length) expect(sentence).toContain('#061a7f');
+      expect(longest).toBeLessThan(patience);
+    }
     expect(faults).toEqual([]);
   });
 
