@@ -43,6 +43,7 @@ Lines last_lines(const AdmittedCurves& scene) {
 }
 
 constexpr Area columns_17{0, 0, 17, 17};
+const double no_point = std::nan("");
 
 /// Level curves at 4 and 12, and one more: between them it is hidden.
 AdmittedCurves between_4_and_12(std::vector<Sample> samples) {
@@ -248,6 +249,78 @@ TEST_CASE_TEMPLATE("Curves beyond the screen and columns left of 0 are treated l
           Lines{{0, -8, 20, 0, 20}, {1, -8, 14, 0, 14}, {2, -8, 13, -7, 14}, {2, -1, 20, 0, 21}});
 }
 
+TEST_CASE("Pieces of a curve: samples that have points, at least two side by side") {
+    const auto columns = [](const std::vector<Sample>& samples) {
+        std::vector<std::vector<int>> found;
+        const Curve curve{samples};
+        for (const Piece& piece : pieces_of(curve)) {
+            found.emplace_back();
+            for (const Sample& sample : piece) found.back().push_back(sample.x);
+        }
+        return found;
+    };
+    using Columns = std::vector<std::vector<int>>;
+    CHECK(columns({{0, 1}, {2, 1}, {5, 1}}) == Columns{{0, 2, 5}});
+    CHECK(columns({{0, no_point}, {1, 1}, {2, 1}, {3, no_point}, {4, no_point}, {5, 1}, {6, 1}}) ==
+          Columns{{1, 2}, {5, 6}});
+    CHECK(columns({{0, 1}, {1, HUGE_VAL}, {2, 1}, {3, -HUGE_VAL}, {4, 1}, {5, 1}}) == Columns{{4, 5}});
+    CHECK(columns({{0, no_point}, {1, 1}, {2, no_point}}).empty());
+}
+
+TEST_CASE_TEMPLATE("A gap is not drawn, hides nothing, and leaves the horizons as they are", K,
+                   VIDNO_HORIZON_KERNELS) {
+    const std::vector<Sample> with_gap{{0, 4}, {4, 4}, {8, no_point}, {12, 4}, {16, 4}};
+    FloatingHorizonStage<K> alone(CurveSceneBuilder(columns_17).curve(with_gap).build());
+    CHECK(in_doubles(alone.run.lines) == Lines{{0, 0, 4, 4, 4}, {0, 12, 4, 16, 4}});
+    for (int x = 0; x < 17; ++x) {
+        CAPTURE(x);
+        CHECK(alone.run.horizons.upper[x].has_value() == (x <= 4 || x >= 12));
+        CHECK(alone.run.horizons.lower[x].has_value() == (x <= 4 || x >= 12));
+    }
+    // A curve at 8 is hidden between those at 4 and at 12. Over the gap both horizons are at 12. From column 4 to column 5 the upper one
+    // goes from 4 down to 12, and passes 8 halfway; likewise back from column 11 to column 12.
+    const auto scene = CurveSceneBuilder(columns_17)
+                           .curve(with_gap)
+                           .curve({{0, 12}, {16, 12}})
+                           .curve({{0, 8}, {16, 8}})
+                           .build();
+    CHECK(last_lines<K>(scene) == Lines{{2, 4.5, 8, 11.5, 8}});
+}
+
+TEST_CASE_TEMPLATE("Side edges lead to the outer ends of a curve's pieces", K, VIDNO_HORIZON_KERNELS) {
+    // The edges are at 10, 8, 6 over the columns 3, 4, 5, and at 6, 8, 10 over 11, 12, 13, as without gaps.
+    FloatingHorizonStage<K> stage(
+        CurveSceneBuilder(columns_17)
+            .curve({{6, 4}, {10, 4}})
+            .curve({{0, no_point}, {2, 12}, {4, 12}, {6, no_point}, {12, 12}, {14, 12}, {16, no_point}})
+            .build());
+    const double upper[]{12, 10, 8, 6, 4, 4, 4, 4, 4, 6, 8, 10, 12};
+    const double lower[]{12, 12, 12, 6, 4, 4, 4, 4, 4, 6, 12, 12, 12};
+    for (int x = 2; x <= 14; ++x) {
+        CAPTURE(x);
+        CHECK(stage.upper(x) == upper[x - 2]);
+        CHECK(stage.lower(x) == lower[x - 2]);
+    }
+    CHECK_FALSE(stage.run.horizons.upper[1].has_value());
+    CHECK_FALSE(stage.run.horizons.upper[15].has_value());
+}
+
+TEST_CASE_TEMPLATE("Side edges end before a curve that has no piece", K, VIDNO_HORIZON_KERNELS) {
+    // One curve has no points, the other a single one, over column 8, to which nothing leads.
+    const std::vector<std::vector<Sample>> without_piece{{{2, no_point}, {14, no_point}},
+                                                         {{2, no_point}, {8, 20}, {14, no_point}}};
+    for (const auto& samples : without_piece) {
+        FloatingHorizonStage<K> stage(
+            CurveSceneBuilder(columns_17).curve({{6, 4}, {10, 4}}).curve(samples).curve({{2, 12}, {14, 12}}).build());
+        for (int x = 2; x <= 14; ++x) {
+            CAPTURE(x);
+            CHECK(stage.upper(x) == (6 <= x && x <= 10 ? 4 : 12));
+            CHECK(stage.lower(x) == 12);
+        }
+        CHECK(in_doubles(stage.run.lines) == Lines{{0, 6, 4, 10, 4}, {2, 2, 12, 14, 12}});
+    }
+}
+
 TEST_CASE_TEMPLATE("No curves: no lines, no horizons", K, VIDNO_HORIZON_KERNELS) {
     const auto visible = visible_lines(CurveSceneBuilder(columns_17).build(), K{});
     CHECK(visible.lines.empty());
@@ -401,6 +474,22 @@ TEST_CASE("Exact and filtered draw what the rule says, on thousands of random an
     CHECK(hidden > 300);
 }
 
+TEST_CASE("Exact and filtered draw what the rule says, on random curves with gaps") {
+    RandomCurves random(14);
+    int in_pieces = 0, without_piece = 0;
+    for (int i = 0; i < 3000; ++i) {
+        CAPTURE(i);
+        const AdmittedCurves scene = with_gaps(random.scene(), random);
+        check_against_rule(scene, FloatingHorizonReference(scene));
+        for (const Curve& curve : scene->curves) {
+            in_pieces += pieces_of(curve).size() > 1 ? 1 : 0;
+            without_piece += pieces_of(curve).empty() ? 1 : 0;
+        }
+    }
+    CHECK(in_pieces > 500);
+    CHECK(without_piece > 1000);
+}
+
 TEST_CASE("Next to coincidences: filtered is right, and double is not") {
     RandomCurves random(13);
     int wrong_in_double = 0;
@@ -451,6 +540,44 @@ TEST_CASE("Heights that overflow are still compared right") {
     REQUIRE(lines.size() == 4);
     CHECK(lines[2].to.point.x.value == doctest::Approx(2));
     CHECK(std::abs(lines[2].to.point.y.value + 1) < 1e-12);
+}
+
+// ------------------------------------------------------------------------------------- every kernel and edition, over gaps
+
+namespace {
+
+template <class Set, class K>
+void check_gaps(const AdmittedCurves& scene) {
+    for (const auto& line : visible_lines<Set>(scene, K{}).lines) {
+        const Curve& curve = scene->curves[std::size_t(line.segment.curve)];
+        CHECK(line.segment.from.has_point());
+        CHECK(line.segment.to.has_point());
+        CHECK(FloatingHorizonReference::reaches(curve, as_double(line.from.point.x)));
+        CHECK(FloatingHorizonReference::reaches(curve, as_double(line.to.point.x)));
+    }
+    const auto of_first = visible_lines<Set>(admit(CurveScene{scene->area, {scene->curves[0]}}), K{}).horizons;
+    const auto initial = Set::first_horizons(OnColumns<K>{}, scene->area);
+    const auto same = [](const auto& one, const auto& other) {
+        return one.has_value() == other.has_value() && (!one || as_double(*one) == as_double(*other));
+    };
+    for (int x = scene->area.x; x < scene->area.right(); ++x) {
+        if (FloatingHorizonReference::reaches(scene->curves[0], x)) continue;
+        CHECK(same(of_first.upper[x], initial.upper[x]));
+        CHECK(same(of_first.lower[x], initial.lower[x]));
+    }
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Over random gaps no kernel and no edition draws a line, or moves a horizon", K,
+                   VIDNO_HORIZON_KERNELS) {
+    RandomCurves random(18);
+    for (int i = 0; i < 300; ++i) {
+        CAPTURE(i);
+        const AdmittedCurves scene = with_gaps(random.scene(), random);
+        check_gaps<CorrectedFloatingHorizon, K>(scene);
+        if constexpr (PrintedKernel<K>) check_gaps<PrintedFloatingHorizon, K>(scene);
+    }
 }
 
 // ------------------------------------------------------------------------------------- the printed text

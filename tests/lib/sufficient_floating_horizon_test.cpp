@@ -84,7 +84,8 @@ TEST_CASE_TEMPLATE("Sufficient: lines and horizons rebuilt from the events are t
     RandomCurves random(19);
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
-        const AdmittedCurves scene = i == 0 ? some_curves() : random.scene();
+        AdmittedCurves scene = i == 0 ? some_curves() : random.scene();
+        if (i % 3 == 1) scene = with_gaps(scene, random);
         check_rebuilt<CorrectedFloatingHorizon, K>(scene);
         if constexpr (PrintedKernel<K>) check_rebuilt<PrintedFloatingHorizon, K>(scene);
     }

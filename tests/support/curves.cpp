@@ -1,6 +1,7 @@
 #include "curves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vidno::test {
@@ -13,6 +14,19 @@ using Interval = FloatingHorizonReference::Interval;
 Number line(const Sample& a, const Sample& b, const Number& x) {
     const Number far = (x - a.x) / Number(b.x - a.x);
     return Number(a.y) * (1 - far) + Number(b.y) * far;
+}
+
+/// Whether the curve goes from this sample to the next.
+bool are_joined(const Curve& curve, std::size_t i) {
+    return std::isfinite(curve.samples[i].y) && std::isfinite(curve.samples[i + 1].y);
+}
+
+/// The sample from which a curve goes through x; none if it has no point there.
+std::optional<std::size_t> segment_at(const Curve& curve, const Number& x) {
+    for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+        if (are_joined(curve, i) && curve.samples[i].x <= x && x <= curve.samples[i + 1].x) return i;
+    }
+    return std::nullopt;
 }
 
 /// Where a linear function is not negative, from x to x + 1.
@@ -48,20 +62,35 @@ AdmittedCurves some_curves() {
 
 FloatingHorizonReference::FloatingHorizonReference(const CurveScene& scene)
     : area_(scene.area), upper_(std::size_t(area_.width)), lower_(std::size_t(area_.width)) {
-    const Curve* before = nullptr;
+    Ends before;
     for (const auto& curve : scene.curves) {
-        if (before) raise_between(before->samples.front(), curve.samples.front());
+        const Ends ends = ends_of(curve);
+        if (before && ends) raise_between(before->first, ends->first);
         seen_.push_back(seen(curve));
-        for (int x = curve.samples.front().x; x <= curve.samples.back().x; ++x) raise(x, height(curve, x));
-        if (before) raise_between(before->samples.back(), curve.samples.back());
-        before = &curve;
+        for (int x = curve.samples.front().x; x <= curve.samples.back().x; ++x) {
+            if (reaches(curve, x)) raise(x, height(curve, x));
+        }
+        if (before && ends) raise_between(before->second, ends->second);
+        before = ends;
     }
 }
 
+bool FloatingHorizonReference::reaches(const Curve& curve, const Number& x) {
+    return segment_at(curve, x).has_value();
+}
+
 Number FloatingHorizonReference::height(const Curve& curve, const Number& x) {
-    std::size_t i = 1;
-    while (curve.samples[i].x < x) ++i;
-    return line(curve.samples[i - 1], curve.samples[i], x);
+    const std::size_t i = segment_at(curve, x).value();
+    return line(curve.samples[i], curve.samples[i + 1], x);
+}
+
+FloatingHorizonReference::Ends FloatingHorizonReference::ends_of(const Curve& curve) {
+    std::vector<Sample> joined;
+    for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+        if (are_joined(curve, i)) joined.insert(joined.end(), {curve.samples[i], curve.samples[i + 1]});
+    }
+    if (joined.empty()) return std::nullopt;
+    return std::pair(joined.front(), joined.back());
 }
 
 std::vector<Interval> FloatingHorizonReference::united(std::vector<Interval> parts) {
@@ -94,13 +123,14 @@ FloatingHorizonReference::CurveSeen FloatingHorizonReference::seen(const Curve& 
     CurveSeen result;
     const int end = curve.samples.back().x;
     for (int x = curve.samples.front().x; x <= end; ++x) {
+        if (!reaches(curve, x)) continue;
         const Number y = height(curve, x);
         const Cell& up = upper(x);
         const Cell& low = lower(x);
         result.visible.push_back(!up || !(*up < y && y < *low));
         result.on_horizon.push_back(up && (y == *up || y == *low));
         if (result.visible.back()) result.parts.push_back({x, x});
-        if (x == end) break;
+        if (!reaches(curve, x + Number(1) / 2)) continue;
         const Number next_y = height(curve, x + 1);
         if (!up || !upper(x + 1)) {
             result.parts.push_back({x, x + 1});

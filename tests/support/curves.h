@@ -5,6 +5,7 @@
 #include <CGAL/Exact_rational.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vidno/floating_horizon/curves.h"
@@ -37,7 +38,7 @@ public:
         bool operator==(const Interval&) const = default;
     };
     struct CurveSeen {
-        std::vector<bool> visible;     // over each of its columns
+        std::vector<bool> visible;     // over each column where it has a point
         std::vector<bool> on_horizon;  // there: as high as the upper or the lower one
         std::vector<Interval> parts;
     };
@@ -48,6 +49,8 @@ public:
     const Cell& upper(int x) const { return upper_[index(x)]; }
     const Cell& lower(int x) const { return lower_[index(x)]; }
 
+    /// Whether the curve has a point at x, on the line between neighbouring samples that both have one; and its height there.
+    static bool reaches(const Curve& curve, const Number& x);
     static Number height(const Curve& curve, const Number& x);
 
     /// Those that touch are put together.
@@ -55,6 +58,10 @@ public:
 
 private:
     std::size_t index(int x) const { return std::size_t(x - area_.x); }
+
+    /// The outermost samples that are joined to a neighbour; none if the curve has gaps everywhere.
+    using Ends = std::optional<std::pair<Sample, Sample>>;
+    static Ends ends_of(const Curve& curve);
 
     void raise(int x, const Number& y);
     void raise_between(const Sample& a, const Sample& b);

@@ -53,6 +53,16 @@ Curve RandomCurves::variant(Curve made) {
     return made;
 }
 
+AdmittedCurves with_gaps(CurveScene scene, RandomCurves& random) {
+    for (auto& curve : scene.curves) {
+        const int one_in = random.whole(1, 6);  // 1: no sample of the curve has a point
+        for (auto& sample : curve.samples) {
+            if (random.whole(1, one_in) == 1) sample.y = std::nan("");
+        }
+    }
+    return admit(std::move(scene));
+}
+
 AdmittedCurves moved_by_ulps(CurveScene scene, RandomCurves& random) {
     for (auto& curve : scene.curves) {
         for (auto& [x, y] : curve.samples) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,18 +13,39 @@
 
 namespace vidno {
 
-/// In screen space, on a whole column. y grows downward, so a higher point has the smaller y.
+/// In screen space, on a whole column. y grows downward, so a higher point has the smaller y. It may leave the area. Where the
+/// surface has no point, it is not finite.
 struct Sample {
     int x = 0;
     double y = 0;
-    bool operator==(const Sample&) const = default;
+    bool has_point() const { return std::isfinite(y); }
+    bool operator==(const Sample& other) const {
+        return x == other.x && (y == other.y || (!has_point() && !other.has_point()));
+    }
 };
 
-/// At least two samples; x grows, within the area's columns. y is finite, and may leave the area.
+/// At least two samples; x grows, within the area's columns.
 struct Curve {
     std::vector<Sample> samples;
     bool operator==(const Curve&) const = default;
 };
+
+/// Neighbouring samples that have points, at least two: the curve goes from each to the next.
+using Piece = std::span<const Sample>;
+
+/// From left to right: more than one if the curve has gaps. A point between two gaps belongs to none.
+inline std::vector<Piece> pieces_of(const Curve& curve) {
+    const auto has_point = [](const Sample& sample) { return sample.has_point(); };
+    const Sample* const end = curve.samples.data() + curve.samples.size();
+    std::vector<Piece> pieces;
+    for (const Sample* from = curve.samples.data(); from != end;) {
+        from = std::find_if(from, end, has_point);
+        const Sample* const gap = std::find_if_not(from, end, has_point);
+        if (gap - from >= 2) pieces.emplace_back(from, gap);
+        from = gap;
+    }
+    return pieces;
+}
 
 /// The curves from the nearest to the farthest, and the area whose columns the horizons have.
 struct CurveScene {
@@ -51,15 +73,10 @@ using AdmittedCurves = Admitted<CurveScene>;
 /// For `admit`: checks the area and each curve.
 inline void make_admissible(const CurveScene& scene) {
     expect_admissible(scene.area);
-    const auto is_finite = [](const Sample& sample) { return std::isfinite(sample.y); };
     for (std::size_t i = 0; i < scene.curves.size(); ++i) {
-        const Curve& curve = scene.curves[i];
-        const auto refuse = [&](const char* reason) {
-            throw std::invalid_argument("curve " + std::to_string(i) + ": " + reason);
-        };
-        if (!on_columns(curve, scene.area))
-            refuse("fewer than two samples, or they do not grow within the area's columns");
-        if (!std::all_of(curve.samples.begin(), curve.samples.end(), is_finite)) refuse("a height is not finite");
+        if (on_columns(scene.curves[i], scene.area)) continue;
+        throw std::invalid_argument("curve " + std::to_string(i) +
+                                    ": fewer than two samples, or they do not grow within the area's columns");
     }
 }
 

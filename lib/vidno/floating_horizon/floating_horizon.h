@@ -13,6 +13,10 @@
 /// there is none. A point of a curve is visible if there is no horizon, or if it is not strictly between the two: a point that
 /// touches one is visible. Lines include their ends, also where a horizon begins.
 ///
+/// Gaps. Where the surface has no point, its curve has a gap: FH4 to FH9 draw it piece by piece, and over the columns of the gap
+/// it neither shows nor hides anything. The side edges lead to the outer ends of its pieces. They end before a curve that has no
+/// piece, and begin anew after it.
+///
 /// Differences from the text, besides X-H1 and X-H2 (printed.h). The scan of the text ends in Visibility: we do not know the
 /// rest of it, nor Horizon and Intersection, so the printed edition uses ours.
 /// - X-H5. We examine a curve over every column, not only at its samples, since an obstacle between two samples hides it too.
@@ -37,18 +41,23 @@ struct FloatingHorizon {
         run.trace.horizons(FH1, run.horizons);
         std::optional<Sample> left_edge, right_edge;
         int curve = 0;
-        for (const auto& [samples] : run.scene.curves) {
+        for (const Curve& each : run.scene.curves) {
             run.trace.curve(FH2, curve);
-            run.side_edge(FH3, left_edge, curve, samples.front());
-            draw_curve(run, curve, samples);
-            run.side_edge(FH10, right_edge, curve, samples.back());
+            const auto pieces = pieces_of(each);  // one, unless the curve has gaps
+            if (pieces.empty()) {
+                left_edge = right_edge = std::nullopt;
+            } else {
+                run.side_edge(FH3, left_edge, curve, pieces.front().front());
+                for (const Piece& samples : pieces) draw_curve(run, curve, samples);
+                run.side_edge(FH10, right_edge, curve, pieces.back().back());
+            }
             ++curve;
         }
     }
 
 private:
     template <class Run>
-    static void draw_curve(Run& run, int curve, const std::vector<Sample>& samples) {
+    static void draw_curve(Run& run, int curve, const Piece& samples) {
         using enum Line;
         std::optional<Horizons<typename Run::Arithmetic>> kept;
         const auto& before = run.set.horizons_before(run.horizons, kept);
