@@ -267,8 +267,7 @@ TEST_CASE("Pieces of a curve: samples that have points, at least two side by sid
     CHECK(columns({{0, no_point}, {1, 1}, {2, no_point}}).empty());
 }
 
-TEST_CASE_TEMPLATE("A gap is not drawn, hides nothing, and leaves the horizons as they are", K,
-                   VIDNO_HORIZON_KERNELS) {
+TEST_CASE_TEMPLATE("A gap is not drawn, hides nothing, and leaves the horizons as they are", K, VIDNO_HORIZON_KERNELS) {
     const std::vector<Sample> with_gap{{0, 4}, {4, 4}, {8, no_point}, {12, 4}, {16, 4}};
     FloatingHorizonStage<K> alone(CurveSceneBuilder(columns_17).curve(with_gap).build());
     CHECK(in_doubles(alone.run.lines) == Lines{{0, 0, 4, 4, 4}, {0, 12, 4, 16, 4}});
@@ -279,11 +278,8 @@ TEST_CASE_TEMPLATE("A gap is not drawn, hides nothing, and leaves the horizons a
     }
     // A curve at 8 is hidden between those at 4 and at 12. Over the gap both horizons are at 12. From column 4 to column 5 the upper one
     // goes from 4 down to 12, and passes 8 halfway; likewise back from column 11 to column 12.
-    const auto scene = CurveSceneBuilder(columns_17)
-                           .curve(with_gap)
-                           .curve({{0, 12}, {16, 12}})
-                           .curve({{0, 8}, {16, 8}})
-                           .build();
+    const auto scene =
+        CurveSceneBuilder(columns_17).curve(with_gap).curve({{0, 12}, {16, 12}}).curve({{0, 8}, {16, 8}}).build();
     CHECK(last_lines<K>(scene) == Lines{{2, 4.5, 8, 11.5, 8}});
 }
 

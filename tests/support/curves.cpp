@@ -75,9 +75,7 @@ FloatingHorizonReference::FloatingHorizonReference(const CurveScene& scene)
     }
 }
 
-bool FloatingHorizonReference::reaches(const Curve& curve, const Number& x) {
-    return segment_at(curve, x).has_value();
-}
+bool FloatingHorizonReference::reaches(const Curve& curve, const Number& x) { return segment_at(curve, x).has_value(); }
 
 Number FloatingHorizonReference::height(const Curve& curve, const Number& x) {
     const std::size_t i = segment_at(curve, x).value();

@@ -41,7 +41,7 @@ inline std::vector<Piece> pieces_of(const Curve& curve) {
     for (const Sample* from = curve.samples.data(); from != end;) {
         from = std::find_if(from, end, has_point);
         const Sample* const gap = std::find_if_not(from, end, has_point);
-        if (gap - from >= 2) pieces.emplace_back(from, gap);
+        if (gap - from >= 2) pieces.emplace_back(from, std::size_t(gap - from));
         from = gap;
     }
     return pieces;
