@@ -163,7 +163,7 @@ TEST_CASE("Chart of a surface: the figure has a series for each kernel, edition 
     CHECK(russian.find("'допуск, double, как напечатано'") != russian.npos);
 }
 
-TEST_CASE("Chart of a surface: samples alone have no function, and a function is finite over each column") {
+TEST_CASE("Chart of a surface: samples alone have no function, and a function is finite somewhere") {
     const auto refusal = [](const std::string& text) -> std::string {
         try {
             function_of(text);
@@ -178,6 +178,15 @@ TEST_CASE("Chart of a surface: samples alone have no function, and a function is
     // Between the samples 0, 4, 8, ...; column 5 is where x is 5.
     std::string text = peak;
     const std::string level = "z == 1 ? max(0, 6 - 3 * abs(x - 10)) : 0";
-    text.replace(text.find(level), level.size(), "1 / (x - 5)");
-    CHECK(without_places(refusal(text)) == "s.json: /function: not finite at x = 5, z = 2");
+    const auto with = [&](const std::string& function) {
+        return std::string(text).replace(text.find(level), level.size(), function);
+    };
+    CHECK(without_places(refusal(with("sqrt(-1 - x^2)"))) == "s.json: /function: not finite at any sample");
+    const SurfaceChart chart = charted(with("x == 5 ? 1 / 0 : 0"));
+    CHECK_MESSAGE(chart.columns == 3 * 32, "of 33, one is the gap");
+    for (const auto& run : chart.runs) {
+        if (run.way.kernel.name() != "filtered" || run.way.knob != SamplingKnob::tolerance) continue;
+        CHECK(run.found.wrong_columns == 0);
+        CHECK(run.found.height == 0);
+    }
 }

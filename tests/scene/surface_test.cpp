@@ -146,6 +146,90 @@ TEST_CASE("Surface: a surface that is written and read again is the same") {
     CHECK(read_surface(surface_json(given), "again") == given);
 }
 
+namespace {
+
+/// The columns of each piece of each curve.
+using Columns = std::vector<std::vector<std::vector<int>>>;
+Columns columns_of_pieces(const CurveScene& scene) {
+    Columns found;
+    for (const Curve& curve : scene.curves) {
+        found.emplace_back();
+        for (const Piece& piece : pieces_of(curve)) {
+            found.back().emplace_back();
+            for (const Sample& sample : piece) found.back().back().push_back(sample.x);
+        }
+    }
+    return found;
+}
+
+/// x and z at -2, -1, 0, 1 and 2. The left end of curve k is over column k, and the samples are two columns apart.
+std::string over_five_by_five(const std::string& function) {
+    return R"({"function":")" + function + R"(","x":[-2,2],"z":[2,-2],"curves":5,"samples":5,)" +
+           R"("view":{"origin":[0,12],"across":[8,0],"back":[1,-1],"up":1}})";
+}
+const std::string half_ball = "sqrt(4 - x^2 - z^2)";
+
+}  // namespace
+
+TEST_CASE("Surface: where the function is not finite, the curve has a gap") {
+    // At z = 2 and -2 only x = 0 is in the half ball, at 1 and -1 x from -sqrt(3) to sqrt(3), at 0 all of them.
+    const Surface surface = read_surface(over_five_by_five(half_ball), "s.json");
+    CHECK(columns_of_pieces(surface.curves) == Columns{{}, {{3, 5, 7}}, {{2, 4, 6, 8, 10}}, {{5, 7, 9}}, {}});
+    const auto& samples = surface.curves->curves[1].samples;
+    CHECK(samples[2].y == doctest::Approx(12 - 1 - std::sqrt(3.)));
+    CHECK(samples[3].y == doctest::Approx(12 - 1 - std::sqrt(2.)));
+    CHECK(
+        gaps_in_words(surface.curves) ==
+        "gaps: no finite height at 12 of 25 samples, first at curve 0, column 0; 2 samples between gaps are not drawn");
+    CHECK(column_count(surface.curves) == 5 + 9 + 5);
+    CHECK_MESSAGE((surface.curves->area == Area{0, 7, 13, 6}), "columns 0 to 4 + 8, heights from 12 - 3 - sqrt(3) to 12");
+}
+
+TEST_CASE("Surface: sin(r) / r has a gap at r = 0, where it is not defined, and a formula can close it") {
+    const std::string r = "sqrt(x^2 + z^2)";
+    const Surface surface = read_surface(over_five_by_five("sin(" + r + ") / " + r), "s.json");
+    CHECK(columns_of_pieces(surface.curves) ==
+          Columns{{{0, 2, 4, 6, 8}}, {{1, 3, 5, 7, 9}}, {{2, 4}, {8, 10}}, {{3, 5, 7, 9, 11}}, {{4, 6, 8, 10, 12}}});
+    CHECK(gaps_in_words(surface.curves) == "gaps: no finite height at 1 of 25 samples, first at curve 2, column 6");
+    const Surface closed = read_surface(over_five_by_five("x == 0 && z == 0 ? 1 : sin(" + r + ") / " + r), "s.json");
+    CHECK(gaps_in_words(closed.curves).empty());
+    CHECK(row_over(closed.curves->curves[2], 6) == 12 - 2 - 1);
+}
+
+TEST_CASE("Surface: with a tolerance a gap begins and ends on the right columns") {
+    // Over column c of 16 x is c / 4 - 2. At z = 1 the half ball reaches to sqrt(3), and 1.5 < sqrt(3) < 1.75: columns 2 to 14.
+    FunctionSurface surface = seen_from_the_front(height_function(half_ball), 16, 3);
+    surface.left = -2;
+    surface.right = 2;
+    surface.nearest = surface.farthest = 1;
+    CHECK(columns_of_pieces({{}, sampled(surface)}) == Columns{{}, {}});
+    for (const double tolerance : {100., 1., 0.01}) {
+        CAPTURE(tolerance);
+        surface.tolerance = tolerance;
+        for (const Curve& curve : sampled(surface)) {
+            const auto pieces = pieces_of(curve);
+            REQUIRE(pieces.size() == 1);
+            CHECK(pieces.front().front().x == 2);
+            CHECK(pieces.front().back().x == 14);
+        }
+    }
+    // A gap of one column, between samples on both sides of it.
+    surface.function = [](double x, double) { return x == 0.25 ? std::nan("") : 0; };
+    surface.tolerance = 1;
+    CHECK(columns_of_pieces({{}, {sampled(surface)[0]}}) == Columns{{{0, 8}, {10, 12, 16}}});
+}
+
+TEST_CASE("Surface: a sample without a height is null, and a curve with gaps is read again as it was written") {
+    const std::string text = R"({"format":"vidno-surface/1","name":"","window":{"x":0,"y":0,"width":9,"height":9},)"
+                             R"("curves":[[[0,null],[1,2],[3,2.5],[4,null],[6,1],[8,1]],[[0,null],[8,null]]]})";
+    const Surface surface = read_surface(text, "s.json");
+    CHECK(columns_of_pieces(surface.curves) == Columns{{{1, 3}, {6, 8}}, {}});
+    CHECK(surface_json(surface) == text);
+    CHECK(gaps_in_words(surface.curves) == "gaps: no finite height at 4 of 8 samples, first at curve 0, column 0");
+    const Surface dome = read_surface(over_five_by_five(half_ball), "s.json");
+    CHECK(read_surface(surface_json(dome), "again") == dome);
+}
+
 TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     const auto refused = [](const std::string& from, const std::string& to) {
         return without_places(refusal_of(changed(small, from, to)));
@@ -155,7 +239,7 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     CHECK(refused("\"curves\"", "\"planes\"") == "s.json: \"curves\" is missing\ns.json: /planes: unknown key");
     CHECK(refused("x + z", "x + y") == "s.json: /function: y: the formula gives its value; there are x, z, pi and e");
     CHECK(refused("x + z", "x #\\n") == "s.json: /function: #: not understood");
-    CHECK(refused("x + z", "1 / (x - 1)") == "s.json: /function: not finite at x = 1, z = 2");
+    CHECK(refused("x + z", "sqrt(-1 - x^2)") == "s.json: /function: not finite at any sample");
     CHECK(refused("[0,4]", "[4,4]") == "s.json: /x: the two numbers are equal");
     CHECK(refused("\"curves\":3", "\"curves\":1") == "s.json: /curves: not from 2 to 4096");
     CHECK(refused("\"samples\":5", "\"samples\":10") == "s.json: /samples: not from 2 to 9");
@@ -174,6 +258,7 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     CHECK(curves("[[[0,1],[9,2]]]") == "s.json: /curves/0/1/0: not from 0 to 8");
     CHECK(curves("[[[0,1],[2]]]") == "s.json: /curves/0/1: not a column and a height");
     CHECK(curves("[[[0,1],[2,\"nan\"]]]").starts_with("s.json: /curves/0/1/1: not a hexadecimal number"));
+    CHECK(curves("[[[0,null],[2,null]],[[0,null],[1,null]]]") == "s.json: /curves: no sample has a height");
 }
 
 TEST_CASE("Surface: format, name and window have defaults") {

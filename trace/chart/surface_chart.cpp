@@ -54,14 +54,16 @@ FunctionSurface turned(FunctionSurface surface, const SurfaceWay& way) {
     return surface;
 }
 
-/// The farthest that a curve is from the same one with a sample on each column, in pixels.
+/// The farthest that a curve is from the same one with a sample on each column, in pixels, where both have points.
 double height_missed(const Curve& curve, const Curve& dense) {
     const OnColumns<Double> heights;
     double farthest = 0;
     auto from = curve.samples.begin();
-    for (const auto& [x, y] : dense.samples) {
-        if (std::next(from)->x < x) ++from;
-        farthest = std::max(farthest, std::abs(heights.height({0, *from, *std::next(from)}, x) - y));
+    for (const Sample& sample : dense.samples) {
+        if (std::next(from)->x < sample.x) ++from;
+        const Segment segment{0, *from, *std::next(from)};
+        if (!sample.has_point() || !segment.from.has_point() || !segment.to.has_point()) continue;
+        farthest = std::max(farthest, std::abs(heights.height(segment, sample.x) - sample.y));
     }
     return farthest;
 }

@@ -45,6 +45,7 @@ std::optional<Area> default_window(const std::vector<Curve>& curves) {
         for (const auto& sample : samples) {
             x.add(sample.x);
             x.add(sample.x + 1.0);
+            if (!sample.has_point()) continue;
             y.add(std::floor(sample.y));
             y.add(std::floor(sample.y) + 1);
         }

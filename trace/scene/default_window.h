@@ -15,7 +15,7 @@ enum class Defaults { taken, none };
 /// The whole pixels that the vertices span, at least one in each direction. None if there are no vertices, or too many pixels.
 std::optional<Area> default_window(const std::vector<ScenePolygon>& polygons);
 
-/// The columns and rows of all samples; none in the same cases.
+/// The columns of all samples and the rows of their points; none in the same cases.
 std::optional<Area> default_window(const std::vector<Curve>& curves);
 
 }  // namespace vidno

@@ -118,7 +118,12 @@ private:
 
     AnyScene read_any_scene(const JsonNode& node, Failure& failure) const {
         node.object();
-        if (is_of_curves(node)) return read_surface(node);
+        if (is_of_curves(node)) {
+            Surface surface = read_surface(node);
+            const std::string gaps = gaps_in_words(surface.curves);
+            if (!gaps.empty()) failure.warnings.push_back(file_ + ": /scene: " + gaps);
+            return surface;
+        }
         auto [scene, warnings] = read_scene(node, file_);
         failure.warnings.insert(failure.warnings.end(), warnings.begin(), warnings.end());
         return scene;

@@ -1,7 +1,9 @@
 #include "scene/sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace vidno {
 
@@ -44,25 +46,32 @@ private:
         const double part = double(column) / across.columns;
         const double x = std::lerp(surface_.left, surface_.right, part);
         const double y = origin.rows + across.rows * part + back.rows * curve_ - up * surface_.function(x, z_);
-        if (!std::isfinite(y)) throw NotFinite{x, z_};
         return {origin.columns + back.columns * curve_ + column, y};
     }
 
     /// The samples that are needed from one column on and before another one.
     static void add(Curve& to, const Curve& all, int first, int last, double tolerance) {
-        const auto at = [&](int column) -> const Sample& { return all.samples[std::size_t(column)]; };
-        const double slope = (at(last).y - at(first).y) / (last - first);
-        bool off = false;
-        for (int column = first + 1; column < last; ++column) {
-            off = off || std::abs(at(column).y - (at(first).y + slope * (column - first))) > tolerance;
-        }
-        if (off) {
+        const std::span<const Sample> samples(&all.samples[std::size_t(first)], std::size_t(last - first) + 1);
+        if (shows_all(samples, tolerance)) {
+            to.samples.push_back(samples.front());
+        } else {
             const int middle = std::midpoint(first, last);
             add(to, all, first, middle, tolerance);
             add(to, all, middle, last, tolerance);
-        } else {
-            to.samples.push_back(at(first));
         }
+    }
+
+    /// Whether the first and the last of these samples, over neighbouring columns, show where the others are.
+    static bool shows_all(std::span<const Sample> samples, double tolerance) {
+        const Sample &first = samples.front(), &last = samples.back();
+        const auto between = samples.subspan(1, samples.size() - 2);
+        if (!first.has_point() || !last.has_point()) {
+            return std::none_of(between.begin(), between.end(), [](const Sample& each) { return each.has_point(); });
+        }
+        const double slope = (last.y - first.y) / (last.x - first.x);
+        return std::all_of(between.begin(), between.end(), [&](const Sample& each) {
+            return each.has_point() && !(std::abs(each.y - (first.y + slope * (each.x - first.x))) > tolerance);
+        });
     }
 
     const FunctionSurface& surface_;

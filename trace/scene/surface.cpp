@@ -2,9 +2,12 @@
 /// window's columns. An error in the text ends it; all other errors are reported together.
 #include "scene/surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "counted.h"
 #include "json/document_format.h"
 #include "json/json_node.h"
 #include "json/json_text.h"
@@ -18,12 +21,6 @@ constexpr std::string_view surface_format = "vidno-surface/1";
 constexpr int most_curves = 4096;
 constexpr std::size_t most_samples = std::size_t{1} << 20;
 
-std::string written(double number) {
-    Text text;
-    append_number(text, number);
-    return text.string();
-}
-
 void expect_few_samples(const JsonNode& curves, std::size_t count) {
     if (count > most_samples) curves.refuse("together more than " + std::to_string(most_samples) + " samples");
 }
@@ -33,6 +30,9 @@ double finite(const JsonNode& node) {
     if (!std::isfinite(number)) node.refuse("not finite");
     return number;
 }
+
+/// null: there is none.
+double height(const JsonNode& node) { return node.is_null() ? std::numeric_limits<double>::quiet_NaN() : finite(node); }
 
 double positive(const JsonNode& node) {
     const double number = finite(node);
@@ -80,15 +80,22 @@ void expect_in_window(const JsonNode& view, const SurfaceView& seen, int curves,
     }
 }
 
-/// The surface of the root. Refuses too many samples, and a function that is not finite at a sample.
+bool has_point(const Curve& curve) {
+    return std::any_of(curve.samples.begin(), curve.samples.end(), [](const Sample& each) { return each.has_point(); });
+}
+
+/// Refuses samples none of which has a point; a scene without samples is empty, and allowed.
+void expect_some_point(const JsonNode& node, const std::vector<Curve>& curves, const char* reason) {
+    if (!curves.empty() && std::none_of(curves.begin(), curves.end(), has_point)) node.refuse(reason);
+}
+
+/// The surface of the root. Refuses too many samples, and a function that is not finite at any of them.
 std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& root) {
     const int most = surface.tolerance ? surface.view.across.columns + 1 : surface.samples;
     expect_few_samples(root.at("curves"), std::size_t(surface.curves) * std::size_t(most));
-    try {
-        return sampled(surface);
-    } catch (const NotFinite& at) {
-        root.at("function").refuse("not finite at x = " + written(at.x) + ", z = " + written(at.z));
-    }
+    std::vector<Curve> curves = sampled(surface);
+    expect_some_point(root.at("function"), curves, "not finite at any sample");
+    return curves;
 }
 
 /// The limits of the columns of any window.
@@ -109,13 +116,14 @@ public:
         } else {
             read_member("curves", [&](const JsonNode& node) { read_curves(node); });
             faults_.settle();
+            expect_some_point(root_.at("curves"), curves_.curves, "no sample has a height");
         }
         expect_few_samples(root_.at("curves"), sample_count(curves_));
         take_default_window();
         return {std::move(name_), admit(std::move(curves_))};
     }
 
-    /// Requires a surface given as a function that is finite over each column.
+    /// Requires a surface given as a function.
     Function function() {
         root_.object();
         root_.expect_format(surface_format);
@@ -201,7 +209,7 @@ private:
                 if (!curve.samples.empty() && x <= curve.samples.back().x) {
                     sample.at(0u).refuse("not right of the sample before");
                 }
-                curve.samples.push_back({x, finite(sample.at(1u))});
+                curve.samples.push_back({x, height(sample.at(1u))});
             });
         }
         return curve;
@@ -241,8 +249,29 @@ std::size_t sample_count(const CurveScene& curves) {
 
 std::size_t column_count(const CurveScene& curves) {
     std::size_t count = 0;
-    for (const auto& [samples] : curves.curves) count += std::size_t(samples.back().x - samples.front().x) + 1;
+    for (const Curve& curve : curves.curves) {
+        for (const Piece& piece : pieces_of(curve)) count += std::size_t(piece.back().x - piece.front().x) + 1;
+    }
     return count;
+}
+
+std::string gaps_in_words(const CurveScene& curves) {
+    std::string first;
+    std::size_t without_point = 0, in_pieces = 0;
+    for (std::size_t i = 0; i < curves.curves.size(); ++i) {
+        for (const Sample& sample : curves.curves[i].samples) {
+            if (sample.has_point()) continue;
+            if (first.empty()) first = "curve " + std::to_string(i) + ", column " + std::to_string(sample.x);
+            ++without_point;
+        }
+        for (const Piece& piece : pieces_of(curves.curves[i])) in_pieces += piece.size();
+    }
+    if (without_point == 0) return {};
+    const std::size_t all = sample_count(curves), alone = all - without_point - in_pieces;
+    std::string words = "gaps: no finite height at " + std::to_string(without_point) + " of " + std::to_string(all) +
+                        " samples, first at " + first;
+    if (alone > 0) words += "; " + counted(alone, "sample between gaps is", "samples between gaps are") + " not drawn";
+    return words;
 }
 
 bool is_surface(std::string_view text) { return are_of_one_kind(document_format(text), surface_format); }
@@ -273,7 +302,11 @@ std::string surface_json(const Surface& surface) {
             out += j > 0 ? ",[" : "[";
             append_integer(out, samples[j].x);
             out += ',';
-            append_number(out, samples[j].y);
+            if (samples[j].has_point()) {
+                append_number(out, samples[j].y);
+            } else {
+                out += "null";
+            }
             out += ']';
         }
         out += ']';

@@ -26,8 +26,12 @@ std::string name_of(const AnyScene& scene);
 /// The total number of samples.
 std::size_t sample_count(const CurveScene& curves);
 
-/// The total number of columns of the curves.
+/// The total number of columns over which the curves have points.
 std::size_t column_count(const CurveScene& curves);
+
+/// The gaps of the curves in a sentence: how many samples have no point, and where the first is; empty if there are none. A gap is no loss:
+/// the surface is not there.
+std::string gaps_in_words(const CurveScene& curves);
 
 /// Whether a scene file is a surface, by its contents.
 bool is_surface(std::string_view text);
@@ -50,7 +54,7 @@ struct Function {
     std::string file{};  // the JSON it was read from, on one line
 };
 
-/// The same from a file. Throws Refused, also if there is no function, or if it is not finite over some column.
+/// The same from a file. Throws Refused, also if there is no function.
 Function read_function(std::string_view text, const std::string& file);
 /// The same for a surface inside another document. Throws Misread.
 Function read_function(const JsonNode& node);

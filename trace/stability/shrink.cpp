@@ -142,7 +142,9 @@ AdmittedCurves shrunk(AdmittedCurves scene, const std::function<bool(const Admit
                                      return samples.size() >= 2 && keeps(with_samples(curve, samples));
                                  }));
             for (std::size_t i = 0; i < scene->curves[curve].samples.size(); ++i) {
-                const double value = scene->curves[curve].samples[i].y;
+                const Sample& sample = scene->curves[curve].samples[i];
+                if (!sample.has_point()) continue;
+                const double value = sample.y;
                 const int most = binary_places(value);
                 for (int places = 0; places < most; ++places) {
                     auto samples = scene->curves[curve].samples;

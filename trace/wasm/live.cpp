@@ -106,6 +106,8 @@ void make_trace(Exchange& page) {
     const auto& [method, edition, kernel, detail, check, most_events] = options;
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
+        const std::string gaps = gaps_in_words(surface.curves);
+        if (!gaps.empty()) page.messages += gaps + '\n';
         write_run(page, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
                   FloatingHorizonRequest{kernel, edition, surface.curves, detail});
     } else {

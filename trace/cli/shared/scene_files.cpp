@@ -30,6 +30,12 @@ void say_step(const Failure& failure, const std::string& file) {
               << '\n';
 }
 
+/// On standard error, if there are any.
+void say_gaps(const CurveScene& curves, const std::string& file) {
+    const std::string gaps = gaps_in_words(curves);
+    if (!gaps.empty()) std::cerr << file << ": " << gaps << '\n';
+}
+
 /// On standard error, with the warnings of its scene.
 void describe(const Failure& failure, const std::string& file) {
     for (const auto& warning : failure.warnings) std::cerr << warning << '\n';
@@ -38,7 +44,11 @@ void describe(const Failure& failure, const std::string& file) {
 
 Read read(std::string_view text, const std::string& file) {
     expect_no_mesh(file);
-    if (is_surface(text)) return {read_surface(text, file), {}};
+    if (is_surface(text)) {
+        Surface surface = read_surface(text, file);
+        say_gaps(surface.curves, file);
+        return {std::move(surface), {}};
+    }
     if (is_failure(text)) {
         Failure failure = read_failure(text, file);
         describe(failure, file);
