@@ -109,6 +109,40 @@ TEST_CASE("surfaces: a function, checked, as a figure") {
     CHECK(program("figure " + trace + " --steps 100,9000 -o " + work.file("a.tex")).status == 0);
 }
 
+TEST_CASE("surfaces: a half ball has gaps in every output, which are said once and are no loss") {
+    const Workplace work;
+    // At z = 1 and -1 three of five samples are in the half ball, at 0 all five, at 2 and -2 one.
+    const std::string surface =
+        work.write("ball.json", R"({"function":"sqrt(4 - x^2 - z^2)","x":[-2,2],"z":[2,-2],"curves":5,"samples":5,)"
+                                R"("view":{"origin":[0,12],"across":[8,0],"back":[1,-1],"up":1}})");
+    const std::string gaps = surface +
+                             ": gaps: no finite height at 12 of 25 samples, first at curve 0, column 0; "
+                             "2 samples between gaps are not drawn\n";
+    const auto check_said = [&](const std::string& call) {
+        CAPTURE(call);
+        const auto [status, text] = program(call);
+        CAPTURE(text);
+        CHECK(status == 0);
+        CHECK(text.find(gaps) != text.npos);
+        CHECK(text.find("gaps:") == text.rfind("gaps:"));
+    };
+    const std::string trace = work.file("run.jsonl");
+    check_said("trace " + surface + " -o " + trace);
+    check_said("check " + surface);
+    check_said("check " + surface + " --kernel exact");
+    for (const std::string extension : {".svg", ".pdf", ".png", ".tex"}) {
+        check_said("render " + surface + " -o " + work.file("a" + extension));
+        CHECK(program("replay " + trace + " -o " + work.file("b" + extension)).status == 0);
+        CHECK(work.read("a" + extension) == work.read("b" + extension));
+        CHECK(program("figure " + trace + " --show picture,windows,listing -o " + work.file("c" + extension)).status ==
+              0);
+    }
+    CHECK(has(work.read("run.jsonl"), R"("curves":[[[0,null],[2,null],[4,12],[6,null],[8,null]],[[1,null],[3,)"));
+    CHECK(program("grade " + trace).status == 0);
+    check_said("worksheet " + surface + " -o " + work.file("blank.pdf") + " --key " + work.file("key.pdf"));
+    check_said("chart " + surface + " -o " + work.file("chart.json"));
+}
+
 TEST_CASE("surfaces: refusals and their reasons") {
     const Workplace work;
     const std::string surface = work.write("s.json", crossing);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "figure/caption.h"
 #include "figure/figure.h"
 #include "figure/floating_horizon_parts.h"
@@ -96,6 +98,21 @@ TEST_CASE("curve figure: the current segment is heavy, the compared height is a 
     CHECK(has([](const Path& path) {  // around (4, 5)
         return path.closed && path.lines[0][0] == Point{40 - 0.7, 50 - 0.7};
     }));
+}
+
+TEST_CASE("curve figure: a curve with a gap is drawn in pieces, without the point between two gaps") {
+    const double none = std::nan("");
+    const FloatingHorizonHeader header{Edition::corrected,
+                                       "double",
+                                       Detail::signs,
+                                       {"", test::CurveSceneBuilder(columns_9)
+                                                .curve({{0, 8}, {1, 4}, {2, none}, {3, 1}, {4, none}, {6, 8}, {8, 6}})
+                                                .build()}};
+    Drawing drawing;
+    draw_curve_at_hand(drawing, after(header, {event::Curve{Line::FH2, 0}}), plane_90, {});
+    const auto paths = paths_of(drawing);
+    REQUIRE_MESSAGE(paths.size() == 1 + 3, "the curve, and a dot for each sample of a piece, but on the left side");
+    CHECK(paths[0].lines == std::vector<Polyline>{{{0, 80}, {10, 40}}, {{60, 80}, {80, 60}}});
 }
 
 TEST_CASE("curve figure: listing, legend and flags in both languages") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "choice/method.h"
 #include "floating_horizon_parts.h"
@@ -50,7 +51,8 @@ private:
         for (const auto& [samples] : run_.scene().curves) {
             std::string text;
             for (const auto& [x, y] : samples) {
-                text += (text.empty() ? "" : "; ") + pair_of(integer_text(x), in_full(y, language()), language());
+                const std::string height = std::isfinite(y) ? in_full(y, language()) : "—";
+                text += (text.empty() ? "" : "; ") + pair_of(integer_text(x), height, language());
             }
             const auto lines = wrapped(text, text_size, room, room);
             put(std::to_string(name++), {margin + 2, y_ + line_height}, text_size, Anchor::start, true);
@@ -114,11 +116,15 @@ private:
             int curve;
         };
         std::vector<Beginning> beginnings;
-        for (const auto& [samples] : run_.scene().curves) {
-            Polyline line;
-            for (const auto& [x, y] : samples) line.push_back(plane.at(x, y));
-            beginnings.push_back({line.front(), int(beginnings.size())});
-            to.add(Path{clipped(line, false, plane.shown), false, {}, Stroke{faint, 0.5}});
+        const auto& curves = run_.scene().curves;
+        for (std::size_t curve = 0; curve < curves.size(); ++curve) {
+            bool has_begun = false;
+            for (const Piece& piece : pieces_of(curves[curve])) {
+                Polyline line;
+                for (const auto& [x, y] : piece) line.push_back(plane.at(x, y));
+                if (!std::exchange(has_begun, true)) beginnings.push_back({line.front(), int(curve)});
+                to.add(Path{clipped(line, false, plane.shown), false, {}, Stroke{faint, 0.5}});
+            }
         }
         std::stable_sort(beginnings.begin(), beginnings.end(), [](const Beginning& a, const Beginning& b) {
             return a.at.x < b.at.x || (a.at.x == b.at.x && a.at.y < b.at.y);
@@ -162,8 +168,10 @@ private:
     bool has_side_edges() const {
         const auto& curves = run_.scene().curves;
         return std::adjacent_find(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
-                   return std::abs(a.samples.front().x - b.samples.front().x) > 1 ||
-                          std::abs(a.samples.back().x - b.samples.back().x) > 1;
+                   const auto near = pieces_of(a), far = pieces_of(b);
+                   return !near.empty() && !far.empty() &&
+                          (std::abs(near.front().front().x - far.front().front().x) > 1 ||
+                           std::abs(near.back().back().x - far.back().back().x) > 1);
                }) != curves.end();
     }
 

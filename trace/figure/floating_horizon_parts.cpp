@@ -129,18 +129,24 @@ void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const 
     constexpr double dots_from = 1.5;  // millimetres between samples
     const FloatingHorizonState& state = moment.state();
     if (!state.values().curve) return;
-    const auto& samples = moment.scene().curves[std::size_t(*state.values().curve)].samples;
-    Polyline curve, segment;
-    for (const auto& [x, y] : samples) {
-        curve.push_back(plane.at(x, y));
-        const bool at_hand = state.values().place.segment &&
-                             (x == state.values().place.segment->first || x == state.values().place.segment->second);
-        if (at_hand) segment.push_back(plane.at(x, y));
+    const Curve& curve = moment.scene().curves[std::size_t(*state.values().curve)];
+    std::vector<Polyline> pieces;
+    Polyline segment;
+    for (const Piece& piece : pieces_of(curve)) {
+        pieces.emplace_back();
+        for (const auto& [x, y] : piece) {
+            pieces.back().push_back(plane.at(x, y));
+            const bool at_hand = state.values().place.segment && (x == state.values().place.segment->first ||
+                                                                  x == state.values().place.segment->second);
+            if (at_hand) segment.push_back(plane.at(x, y));
+        }
     }
-    add_lines(to, {curve}, {faint, 0.5}, plane);
-    const bool far_apart = curve.back().x - curve.front().x >= dots_from * double(curve.size() - 1);
-    if (far_apart) {
-        for (const Point& at : curve) add_dot(to, at, 0.35, plane, faint);
+    add_lines(to, pieces, {faint, 0.5}, plane);
+    const double width = plane.at(curve.samples.back().x, 0).x - plane.at(curve.samples.front().x, 0).x;
+    if (width >= dots_from * double(curve.samples.size() - 1)) {
+        for (const Polyline& piece : pieces) {
+            for (const Point& at : piece) add_dot(to, at, 0.35, plane, faint);
+        }
     }
     if (!segment.empty()) add_lines(to, {segment}, {deep(faint, style.greyscale), 1.5}, plane);
     if (const auto& looked =

@@ -16,6 +16,11 @@ WorkedCurves::WorkedCurves(const Surface& surface)
     run(request);
 }
 
+void WorkedCurves::hear(const event::Curve&) {
+    curves_.emplace_back().step = end_.state().step();
+    keep_horizons();
+}
+
 void WorkedCurves::hear(const event::Intersection& e) {
     const VisibilityFlag from = end_.state().values().place.previous->second,
                          to = end_.state().values().place.current->second;
@@ -24,7 +29,10 @@ void WorkedCurves::hear(const event::Intersection& e) {
 }
 
 void WorkedCurves::hear(const event::SideEdge& e) {
-    if (e.at != Line::FH10) return;
+    if (e.at == Line::FH10) keep_horizons();
+}
+
+void WorkedCurves::keep_horizons() {
     curves_.back().upper = end_.state().values().horizons.upper;
     curves_.back().lower = end_.state().values().horizons.lower;
 }

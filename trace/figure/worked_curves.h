@@ -18,7 +18,7 @@ struct WorkedCurve {
     std::map<int, Value> heights{};  // over its columns
     std::map<int, VisibilityFlag> flags{};
     std::vector<WorkedMeeting> meetings{};
-    FloatingHorizonState::Heights upper{}, lower{};  // after the curve and the right side edge to it
+    FloatingHorizonState::Heights upper{}, lower{};  // after the curve and the right side edge to it, if there is one
     std::uint64_t step = 0;                          // at which it began
 };
 
@@ -35,12 +35,14 @@ public:
     const FloatingHorizonMoment& end() const { return end_; }
 
 private:
-    void hear(const event::Curve&) { curves_.emplace_back().step = end_.state().step(); }
+    void hear(const event::Curve&);
     void hear(const event::Height& e) { curves_.back().heights[e.x] = e.y; }
     void hear(const event::Visibility& e) { curves_.back().flags[e.x] = e.flag; }
     void hear(const event::Intersection& e);
     void hear(const event::SideEdge& e);
     void hear(const auto&) {}
+    /// As those after the current curve.
+    void keep_horizons();
 
     FloatingHorizonHeader header_;
     FloatingHorizonMoment end_;

@@ -32,6 +32,7 @@ void FloatingHorizonState::take(const event::Curve& e) {
     const auto curves = int(header_->scene.curves->curves.size());
     if (e.curve < 0 || e.curve >= curves) throw Impossible{"no curve of the scene"};
     values_.curve = e.curve;
+    if (pieces_of(header_->scene.curves->curves[std::size_t(e.curve)]).empty()) values_.edges = {};
     values_.place = {};
     values_.height.reset();
     std::fill(values_.flags.begin(), values_.flags.end(), std::nullopt);
@@ -49,6 +50,7 @@ void FloatingHorizonState::take(const event::Visibility& e) {
     values_.place.segment = e.segment;
     if (e.at == Line::FH4) {
         values_.place.previous = {e.x, e.flag};
+        values_.place.current.reset();  // of the piece before
         values_.before = values_.horizons;
         return;
     }
@@ -62,7 +64,7 @@ Segment FloatingHorizonState::segment_on(const SegmentColumns& columns) const {
     const auto from = std::lower_bound(samples.begin(), samples.end(), columns.first,
                                        [](const Sample& sample, int x) { return sample.x < x; });
     const bool found = from != samples.end() && from->x == columns.first && std::next(from) != samples.end() &&
-                       std::next(from)->x == columns.second;
+                       std::next(from)->x == columns.second && from->has_point() && std::next(from)->has_point();
     if (!found) throw Impossible{"no segment of the curve"};
     return {*values_.curve, *from, *std::next(from)};
 }
