@@ -49,7 +49,7 @@ struct Scene {
     std::vector<Polygon> polygons;
 };
 
-/// A point of a curve, over a whole column. y grows downward.
+/// A point of a curve, over a whole column. y grows downward. Where it is no number, the curve has a gap: nothing joins it to its neighbours.
 struct Sample {
     int x;
     double y;
@@ -134,8 +134,11 @@ inline Surface surface_to_draw(const Surface& own) {
         surface.curves.emplace_back();
         std::size_t samples = 0;
         text >> samples;
-        for (Sample s{}; surface.curves.back().size() < samples && text >> s.x >> s.y;)
+        std::string height;  // a stream does not read "nan"
+        for (Sample s{}; surface.curves.back().size() < samples && text >> s.x >> height;) {
+            s.y = std::strtod(height.c_str(), nullptr);
             surface.curves.back().push_back(s);
+        }
     }
     if (!text) std::cerr << "vidno: the surface " << file << " cannot be read\n";
     return surface;
@@ -431,7 +434,9 @@ protected:
     }
     static std::string json(const Vertex& v) { return list(v.x, v.y, v.z).text; }
     static std::string json(const ScreenPoint& c) { return list(c.x, c.y).text; }
-    static std::string json(const Sample& s) { return list(s.x, s.y).text; }
+    static std::string json(const Sample& s) {
+        return std::isfinite(s.y) ? list(s.x, s.y).text : '[' + json(s.x) + ",null]";
+    }
     static std::string json(const Window& w) { return list(w.x, w.y, w.width, w.height).text; }
     template <class T>
     static std::string json(const std::vector<T>& values) {
@@ -1195,7 +1200,7 @@ public:
     void side_edge(Whole column, double y) {
         if (!are_whole("side_edge", {column}) || !has_curve("side_edge")) return;
         const int x = column.value;
-        const bool is_left = x == samples().front().x;
+        const bool is_left = x == left_end();
         const char* const at = is_left ? "FH3" : "FH10";
         if (!end(side_edge_of_curve, at)) return;
         has_left_edge_ = has_left_edge_ || is_left;
@@ -1305,10 +1310,18 @@ private:
     }
     const std::vector<Sample>& samples() const { return curves_[std::size_t(curve_)]; }
 
+    static bool are_joined(const Sample& a, const Sample& b) { return std::isfinite(a.y) && std::isfinite(b.y); }
+    int left_end() const {
+        std::size_t i = 1;
+        while (i + 1 < samples().size() && !are_joined(samples()[i - 1], samples()[i])) ++i;
+        return samples()[i - 1].x;
+    }
+
     /// The columns of the samples that these places lie between; empty if there are none.
     Json segment_of(double from, double to) const {
         for (std::size_t i = 1; i < samples().size(); ++i) {
-            if (samples()[i - 1].x <= from && to <= samples()[i].x) return list(samples()[i - 1].x, samples()[i].x);
+            const Sample &a = samples()[i - 1], &b = samples()[i];
+            if (are_joined(a, b) && a.x <= from && to <= b.x) return list(a.x, b.x);
         }
         return {""};
     }

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "check/check.h"
 #include "grade/curve_truth.h"
 #include "grade/grade.h"
@@ -606,11 +608,76 @@ TEST_CASE("The truth of curves: a side edge counts over the columns between its 
     CHECK(upper(4) == 2);
 }
 
+namespace {
+
+const double no_height = std::numeric_limits<double>::quiet_NaN();
+
+/// A level curve at 4 with a gap from x = 2 to 6, a curve without a piece, and a level curve at 4.
+Surface with_gap() {
+    return {"", CurveSceneBuilder({0, 0, 9, 8})
+                    .curve({{0, 4}, {2, 4}, {4, no_height}, {6, 4}, {8, 4}})
+                    .curve({{0, no_height}, {8, no_height}})
+                    .curve({{2, 4}, {6, 4}})
+                    .build()};
+}
+
+}  // namespace
+
+TEST_CASE("The truth of curves: a gap has no height, hides nothing, and must not be drawn") {
+    using Side = CurveTruth::Side;
+    using When = CurveTruth::When;
+    const CurveTruth truth(with_gap().curves, Precision::twice);
+    CHECK(truth.height(0, 2) == 4);
+    for (const double x : {2.5, 3., 4., 5.5}) {
+        CAPTURE(x);
+        CHECK_FALSE(truth.height(0, x).has_value());
+        CHECK_FALSE(truth.may_show(0, x));
+        CHECK(truth.may_be_left_out(0, x));
+    }
+    CHECK(truth.may_show(0, 2));
+    CHECK_FALSE(truth.may_be_left_out(0, 6));
+    CHECK(truth.hidden_between(0, 1, 7) == 2.5);
+    CHECK_FALSE(truth.hidden_between(0, 6, 8).has_value());
+    CHECK_FALSE(truth.left_out(0, {{0, 2}, {6, 8}}).has_value());
+    CHECK(truth.left_out(0, {{0, 2}}) == 6);
+    CHECK_FALSE(truth.left_out(1, {}).has_value());
+    CHECK_FALSE(truth.horizon(0, When::after, Side::upper, 4).has_value());
+    CHECK_MESSAGE(!truth.horizon(2, When::before, Side::upper, 3).has_value(), "no edge leads over the curve before");
+    CHECK(truth.horizon(2, When::after, Side::upper, 3) == 4);
+}
+
+TEST_CASE("Judging curves: a claim about a gap is false") {
+    const auto wrong = []<class E>(auto change, Detail detail = Detail::signs) {
+        return wrong_of(with_changed<E>(run_of(with_gap(), "double", Edition::corrected, detail), change));
+    };
+    const auto draws_across = [](event::DrawLine& e) {
+        e.to = {8, 4};
+        return true;
+    };
+    CHECK(wrong.operator()<event::DrawLine>(draws_across, Detail::windows) ==
+          "FH6: curve 0 is visible from x = 0 to 8: at x = 2.5 it has a gap");
+    CHECK(wrong.operator()<event::Height>([](event::Height& e) { return e.x = 4, true; }) ==
+          "V1: curve 0 is examined over column 4: it has a gap there");
+    const auto raises = [](event::Raise& e) { return e.x = 3, true; };
+    CHECK(wrong.operator()<event::Raise>(raises).find("the upper horizon over column 3 is at y = 4") !=
+          std::string::npos);
+    const auto comes_to = [](event::SideEdge& e) {
+        if (e.at != Line::FH10) return false;
+        return e.sample = {2, 4}, true;
+    };
+    CHECK(wrong.operator()<event::SideEdge>(comes_to) ==
+          "FH10: the right edge comes to (2, 4): the end of curve 0 there is (8, 4)");
+}
+
 TEST_CASE("Judging curves: our own runs are right at every level, in double and in float, also on random curves") {
     std::vector<Surface> surfaces = surfaces_to_grade();
     for (Surface& surface : random_surfaces_to_grade(5, 60)) surfaces.push_back(std::move(surface));
     RandomCurves random(3);
     for (int trial = 0; trial < 60; ++trial) surfaces.push_back({"", moved_by_ulps(random.scene(), random)});
+    for (int trial = 0; trial < 60; ++trial) {
+        const AdmittedCurves curves = with_gaps(random.scene(), random);
+        if (column_count(curves) > 0) surfaces.push_back({"", curves});  // others are refused
+    }
     for (const Surface& surface : surfaces) {
         CAPTURE(surface_json(surface));
         for (const char* kernel : {"double", "float"}) {

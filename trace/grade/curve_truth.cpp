@@ -76,8 +76,8 @@ struct CurveTruth::Exactly {
     double x_slack = 0;  // the tolerance of an end of a line
     mutable bool shows_single = false;
     double highest = 0, lowest = 0;
-    std::vector<std::vector<Rational>> heights;  // of each curve, over its columns
-    std::vector<HorizonPair> before, after;      // each curve
+    std::vector<std::vector<Cell>> heights;  // of each curve, over its columns; none in a gap
+    std::vector<HorizonPair> before, after;  // each curve
 
     Exactly(const CurveScene& given, Precision of) : scene(given), precision(of) {
         const Area& area = scene.area;
@@ -85,6 +85,7 @@ struct CurveTruth::Exactly {
         bool any = false;
         for (const auto& [samples] : scene.curves) {
             for (const auto& [x, y] : samples) {
+                if (!std::isfinite(y)) continue;
                 largest_y = std::max(largest_y, std::abs(y));
                 highest = any ? std::min(highest, y) : y;
                 lowest = any ? std::max(lowest, y) : y;
@@ -98,16 +99,18 @@ struct CurveTruth::Exactly {
         x_slack = unit * largest_x;
 
         HorizonPair horizons{std::vector<Cell>(std::size_t(area.width)), std::vector<Cell>(std::size_t(area.width))};
-        const Curve* last = nullptr;
+        std::optional<std::pair<Sample, Sample>> last;
         for (const Curve& curve : scene.curves) {
-            if (last) include_edge(horizons, last->samples.front(), curve.samples.front(), area.x);
+            const auto ends = ends_of(curve);
+            if (last && ends) include_edge(horizons, last->first, ends->first, area.x);
             before.push_back(horizons);
             heights.push_back(heights_of(curve));
-            for (std::size_t i = 0; i < heights.back().size(); ++i)
-                horizons.include(column(curve.samples.front().x) + i, heights.back()[i]);
-            if (last) include_edge(horizons, last->samples.back(), curve.samples.back(), area.x);
+            for (std::size_t i = 0; i < heights.back().size(); ++i) {
+                if (heights.back()[i]) horizons.include(column(curve.samples.front().x) + i, *heights.back()[i]);
+            }
+            if (last && ends) include_edge(horizons, last->second, ends->second, area.x);
             after.push_back(horizons);
-            last = &curve;
+            last = ends;
         }
     }
 
@@ -130,13 +133,28 @@ struct CurveTruth::Exactly {
     const std::vector<Sample>& samples(int curve) const { return scene.curves[std::size_t(curve)].samples; }
     int first(int curve) const { return samples(curve).front().x; }
     int last(int curve) const { return samples(curve).back().x; }
-    const Rational& over(int curve, int x) const { return heights[std::size_t(curve)][std::size_t(x - first(curve))]; }
+    /// The height over one of the curve's columns.
+    const Cell& cell(int curve, int x) const { return heights[std::size_t(curve)][std::size_t(x - first(curve))]; }
+    bool has_point(int curve, int x) const { return first(curve) <= x && x <= last(curve) && cell(curve, x); }
+    const Rational& over(int curve, int x) const { return *cell(curve, x); }
+    /// Whether the curve goes from a column to the next. A gap is at least a column wide, as samples are.
+    bool goes_on(int curve, int x) const { return has_point(curve, x) && has_point(curve, x + 1); }
 
-    static std::vector<Rational> heights_of(const Curve& curve) {
-        std::vector<Rational> all{Rational(curve.samples.front().y)};
-        for (std::size_t i = 1; i < curve.samples.size(); ++i) {
-            const Sample &from = curve.samples[i - 1], &to = curve.samples[i];
-            for (int x = from.x + 1; x <= to.x; ++x) all.push_back(height_on(from, to, x));
+    static std::optional<std::pair<Sample, Sample>> ends_of(const Curve& curve) {
+        const auto pieces = pieces_of(curve);
+        if (pieces.empty()) return std::nullopt;
+        return std::pair(pieces.front().front(), pieces.back().back());
+    }
+
+    static std::vector<Cell> heights_of(const Curve& curve) {
+        const int first = curve.samples.front().x;
+        std::vector<Cell> all(std::size_t(curve.samples.back().x - first) + 1);
+        for (const Piece& piece : pieces_of(curve)) {
+            all[std::size_t(piece.front().x - first)] = Rational(piece.front().y);
+            for (std::size_t i = 1; i < piece.size(); ++i) {
+                const Sample &from = piece[i - 1], &to = piece[i];
+                for (int x = from.x + 1; x <= to.x; ++x) all[std::size_t(x - first)] = height_on(from, to, x);
+            }
         }
         return all;
     }
@@ -145,7 +163,9 @@ struct CurveTruth::Exactly {
         if (x < first(curve) || x > last(curve)) return std::nullopt;
         int left = first(curve);
         while (left + 1 < last(curve) && Rational(left + 1) <= x) ++left;
-        return Linear{over(curve, left), over(curve, left + 1)}.at(x - Rational(left));
+        if (goes_on(curve, left)) return Linear{over(curve, left), over(curve, left + 1)}.at(x - Rational(left));
+        if (x == Rational(left)) return cell(curve, left);
+        return x == Rational(left + 1) ? cell(curve, left + 1) : std::nullopt;
     }
 
     const std::vector<Cell>& horizon(int curve, When when, Side side) const {
@@ -154,8 +174,9 @@ struct CurveTruth::Exactly {
     }
 
     /// How far a curve lies beyond a horizon before it, over a column and the next; negative if it does not reach it. None unless both
-    /// columns have the horizon.
+    /// columns have the horizon, and the curve goes from one to the other.
     std::optional<Linear> beyond(int curve, Side side, int x) const {
+        if (!goes_on(curve, x)) return std::nullopt;
         const auto& cells = horizon(curve, When::before, side);
         const Cell &from = cells[column(x)], &to = cells[column(x + 1)];
         if (!from || !to) return std::nullopt;
@@ -178,6 +199,7 @@ struct CurveTruth::Exactly {
 
     /// The same, where it is surely visible: above, and below.
     std::array<std::optional<Stretch>, 2> visible(int curve, int x) const {
+        if (!goes_on(curve, x)) return {};
         if (!has_horizon(curve, x) && !has_horizon(curve, x + 1)) return {Stretch{x, x + 1}, std::nullopt};
         const auto above = beyond(curve, Side::upper, x), below = beyond(curve, Side::lower, x);
         if (!above || !below) return {};
@@ -186,6 +208,7 @@ struct CurveTruth::Exactly {
 
     /// Whether the curve is surely visible over a column.
     bool is_visible(int curve, int x) const {
+        if (!has_point(curve, x)) return false;
         const Cell &upper = horizon(curve, When::before, Side::upper)[column(x)],
                    &lower = horizon(curve, When::before, Side::lower)[column(x)];
         return !upper || over(curve, x) < *upper - slack || over(curve, x) > *lower + slack;
@@ -246,13 +269,18 @@ bool CurveTruth::is_on_curve(int curve, double x, double y) const {
 
 bool CurveTruth::is_on_edge(int curve, int x, double y) const {
     if (curve == 0 || !std::isfinite(y)) return false;
-    const auto &near = exactly_->samples(curve - 1), &far = exactly_->samples(curve);
+    const auto near = ends(curve - 1), far = ends(curve);
+    if (!near || !far) return false;
     const auto is_on = [&](const Sample& from, const Sample& to) {
         if (x < std::min(from.x, to.x) || x > std::max(from.x, to.x)) return false;
         if (from.x == to.x) return std::min(from.y, to.y) <= y && y <= std::max(from.y, to.y);
         return exactly_->is_right(y, height_on(from, to, x));
     };
-    return is_on(near.front(), far.front()) || is_on(near.back(), far.back());
+    return is_on(near->first, far->first) || is_on(near->second, far->second);
+}
+
+std::optional<std::pair<Sample, Sample>> CurveTruth::ends(int curve) const {
+    return Exactly::ends_of(exactly_->scene.curves[std::size_t(curve)]);
 }
 
 bool CurveTruth::same_height(double told, double right) const { return exactly_->is_right(told, Rational(right)); }
@@ -294,7 +322,7 @@ bool CurveTruth::meets_horizon(int curve, double x) const {
     const bool on_column = x == left;
     if (!height(curve, x)) return false;
     for (const int from : on_column ? std::vector{left - 1, left} : std::vector{left}) {
-        if (from < exactly_->first(curve) || from + 1 > exactly_->last(curve)) continue;
+        if (!exactly_->goes_on(curve, from)) continue;
         if (exactly_->has_horizon(curve, from) != exactly_->has_horizon(curve, from + 1)) return true;
         for (const Side side : {Side::upper, Side::lower}) {
             const auto beyond = exactly_->beyond(curve, side, from);
@@ -307,6 +335,7 @@ bool CurveTruth::meets_horizon(int curve, double x) const {
 }
 
 bool CurveTruth::may_show(int curve, double x) const {
+    if (!height(curve, x)) return false;
     const int left = std::min(int(std::floor(x)), exactly_->last(curve) - 1);
     const auto part = exactly_->hidden(curve, left);
     return !part || Rational(x) <= part->first || Rational(x) >= part->last;
@@ -326,7 +355,9 @@ std::optional<double> CurveTruth::hidden_between(int curve, double from, double 
     const int first = std::max(exactly_->first(curve), int(std::floor(from)));
     const int last = std::min(exactly_->last(curve), int(std::ceil(to)));
     for (int x = first; x < last; ++x) {
-        if (const auto part = common(exactly_->hidden(curve, x), drawn)) return middle_of(*part);
+        const bool is_gap = !exactly_->goes_on(curve, x);
+        const auto away = is_gap ? std::optional(Stretch{x, x + 1}) : exactly_->hidden(curve, x);
+        if (const auto part = common(away, drawn)) return middle_of(*part);
     }
     return std::nullopt;
 }
@@ -367,7 +398,7 @@ int CurveTruth::open_columns() const {
             bool is_open = false;
             for (const Side side : {Side::upper, Side::lower}) {
                 const Cell& cell = exactly_->horizon(curve, When::before, side)[exactly_->column(x)];
-                if (!cell) continue;
+                if (!cell || !exactly_->has_point(curve, x)) continue;
                 const Rational off = magnitude(*cell - exactly_->over(curve, x));
                 is_open = is_open || (off != 0 && off <= exactly_->slack);
             }
@@ -382,7 +413,7 @@ bool CurveTruth::touches_on_column() const {
         for (int x = exactly_->first(curve); x <= exactly_->last(curve); ++x) {
             for (const Side side : {Side::upper, Side::lower}) {
                 const Cell& cell = exactly_->horizon(curve, When::before, side)[exactly_->column(x)];
-                if (cell && *cell == exactly_->over(curve, x)) return true;
+                if (cell && exactly_->has_point(curve, x) && *cell == exactly_->over(curve, x)) return true;
             }
         }
     }

@@ -35,7 +35,7 @@ public:
 
     const CurveScene& scene() const;
 
-    /// The height of a curve at x, rounded to a double; none where the curve does not reach.
+    /// The height of a curve at x, rounded to a double; none where the curve does not reach, or has a gap.
     std::optional<double> height(int curve, double x) const;
     /// Whether the curve has that height at x, within the tolerance.
     bool is_on_curve(int curve, double x, double y) const;
@@ -43,6 +43,9 @@ public:
     bool is_on_edge(int curve, int x, double y) const;
     /// Whether a told height is the right one.
     bool same_height(double told, double right) const;
+
+    /// The outer ends of the curve's pieces; none if it has no piece.
+    std::optional<std::pair<Sample, Sample>> ends(int curve) const;
 
     /// A horizon over a column of the area, before or after a curve; none if there is none.
     std::optional<double> horizon(int curve, When when, Side side, int x) const;
@@ -60,7 +63,7 @@ public:
     /// Whether the curve may be drawn at x, and whether it may be left out. Both where rounding or another rule may decide.
     bool may_show(int curve, double x) const;
     bool may_be_left_out(int curve, double x) const;
-    /// An x between these two where the curve is hidden; none if it is visible throughout.
+    /// An x between these two where the curve is hidden, or has a gap; none if it is visible throughout.
     std::optional<double> hidden_between(int curve, double from, double to) const;
     /// An x where the curve is visible and no part is drawn; none if there is none.
     std::optional<double> left_out(int curve, const DrawnParts& drawn) const;

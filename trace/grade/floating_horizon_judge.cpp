@@ -85,25 +85,42 @@ void FloatingHorizonJudge::finish() {
 
 void FloatingHorizonJudge::judge(const event::SideEdge& e) const {
     if (!state_.values().curve) return;
-    const auto& samples = truth_.scene().curves[std::size_t(curve())].samples;
     const bool is_left = e.at == Line::FH3;
-    const Sample& end = is_left ? samples.front() : samples.back();
     const auto& [x, y] = e.sample;
-    if (x == end.x && truth_.same_height(y, end.y)) return;
+    const auto ends = truth_.ends(curve());
+    if (ends) {
+        const Sample& end = is_left ? ends->first : ends->second;
+        if (x == end.x && truth_.same_height(y, end.y)) return;
+    }
     throw False{Symptom::edge,
                 is_left ? say({"the left edge comes to {}", "левое ребро доходит до {}"}, say.point(x, y))
                         : say({"the right edge comes to {}", "правое ребро доходит до {}"}, say.point(x, y)),
-                say({"the end of curve {} there is {}", "конец кривой {} там — {}"}, curve(), say.point(end.x, end.y))};
+                end_in_words(ends, is_left)};
+}
+
+std::string FloatingHorizonJudge::end_in_words(const std::optional<std::pair<Sample, Sample>>& ends,
+                                               bool is_left) const {
+    if (!ends)
+        return say({"curve {} has no two neighbouring samples", "у кривой {} нет двух соседних отсчётов"}, curve());
+    const Sample& end = is_left ? ends->first : ends->second;
+    return say({"the end of curve {} there is {}", "конец кривой {} там — {}"}, curve(), say.point(end.x, end.y));
 }
 
 /// Throws False unless the current curve reaches the column.
 void FloatingHorizonJudge::judge_column(int x) const {
     if (truth_.height(curve(), x)) return;
-    const auto& samples = truth_.scene().curves[std::size_t(curve())].samples;
     throw False{Symptom::height,
                 say({"curve {} is examined over column {}", "кривая {} рассматривается над столбцом {}"}, curve(), x),
-                say({"it reaches from column {} to {}", "она занимает столбцы от {} до {}"}, samples.front().x,
-                    samples.back().x)};
+                reach_in_words(x)};
+}
+
+std::string FloatingHorizonJudge::reach_in_words(double x) const {
+    const auto ends = truth_.ends(curve());
+    if (ends && (x < ends->first.x || x > ends->second.x)) {
+        return say({"it reaches from column {} to {}", "она занимает столбцы от {} до {}"}, ends->first.x,
+                   ends->second.x);
+    }
+    return say({"it has a gap there", "там она прерывается"});
 }
 
 void FloatingHorizonJudge::judge_height(double x, double y) const {
@@ -111,8 +128,7 @@ void FloatingHorizonJudge::judge_height(double x, double y) const {
     const auto right = truth_.height(curve(), x);
     throw False{Symptom::height,
                 say({"at x = {} curve {} is at y = {}", "при x = {} кривая {} на высоте y = {}"}, x, curve(), y),
-                right ? say({"it is at y = {}", "она на высоте y = {}"}, *right)
-                      : say({"it does not reach that far", "она туда не доходит"})};
+                right ? say({"it is at y = {}", "она на высоте y = {}"}, *right) : reach_in_words(x)};
 }
 
 void FloatingHorizonJudge::judge(const event::Height& e) const {
@@ -156,6 +172,14 @@ void FloatingHorizonJudge::judge(const event::Intersection& e) const {
         say({"no horizon passes there", "там горизонта нет"})};
 }
 
+std::string FloatingHorizonJudge::why_not_seen(double x) const {
+    const auto y = truth_.height(curve(), x);
+    if (!y) return say({"at x = {} it has a gap", "при x = {} она прерывается"}, x);
+    return say({"at x = {} it is hidden: there it is at y = {}, between the horizons",
+                "при x = {} она закрыта: там она на высоте y = {}, между горизонтами"},
+               x, *y);
+}
+
 void FloatingHorizonJudge::judge(const event::DrawLine& e) {
     if (!state_.values().curve) return;
     const double from = std::min(e.from.x.number, e.to.x.number), to = std::max(e.from.x.number, e.to.x.number);
@@ -166,9 +190,7 @@ void FloatingHorizonJudge::judge(const event::DrawLine& e) {
     if (!hidden) return;
     throw False{Symptom::visibility,
                 say({"curve {} is visible from x = {} to {}", "кривая {} видна от x = {} до {}"}, curve(), from, to),
-                say({"at x = {} it is hidden: there it is at y = {}, between the horizons",
-                     "при x = {} она закрыта: там она на высоте y = {}, между горизонтами"},
-                    *hidden, truth_.height(curve(), *hidden).value_or(0))};
+                why_not_seen(*hidden)};
 }
 
 /// A new height of a horizon must be that of the curve or of a side edge.

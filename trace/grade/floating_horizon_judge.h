@@ -58,6 +58,10 @@ private:
     void judge_column(int x) const;
     void judge_height(double x, double y) const;
     void judge_raised(Side side, int x, double y, bool is_edge);
+    std::string end_in_words(const std::optional<std::pair<Sample, Sample>>& ends, bool is_left) const;
+    /// Why the current curve has no point at x, and why it is not visible there.
+    std::string reach_in_words(double x) const;
+    std::string why_not_seen(double x) const;
     std::string horizon_in_words(Side side, int x, const std::optional<double>& y) const;
     int curve() const { return *state_.values().curve; }
 

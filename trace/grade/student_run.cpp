@@ -66,7 +66,13 @@ std::string scene_text(const Surface& surface) {
     append_numbers(text, {double(surface.curves->curves.size())});
     for (const auto& [samples] : surface.curves->curves) {
         append_numbers(text, {double(samples.size())});
-        for (const auto& [x, y] : samples) append_numbers(text, {double(x), y});
+        for (const Sample& sample : samples) {
+            if (sample.has_point()) {
+                append_numbers(text, {double(sample.x), sample.y});
+            } else {
+                text += std::to_string(sample.x) + " nan\n";
+            }
+        }
     }
     return text.string();
 }
