@@ -14,6 +14,16 @@ constexpr std::size_t most_told = 40;  // of a file
 }  // namespace
 
 void Losses::add(const std::string& file, const std::vector<Loss>& losses) {
+    say(file, losses);
+    any_ = any_ || !losses.empty();
+}
+
+void Losses::note(const std::string& file, const std::vector<Loss>& without_effect, const std::string& reason) {
+    say(file, without_effect);
+    messages_.push_back(file + ": " + reason);
+}
+
+void Losses::say(const std::string& file, const std::vector<Loss>& losses) {
     for (std::size_t i = 0; i < std::min(losses.size(), most_told); ++i) {
         const auto& [what, where] = losses[i];
         messages_.push_back(file + ": " + where + (where.empty() ? "" : ": ") + what);

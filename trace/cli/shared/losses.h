@@ -15,15 +15,21 @@ public:
     /// The losses of an input file.
     void add(const std::string& file, const std::vector<Loss>& losses);
 
+    /// The same where the output lacks nothing of it, for this reason: it is said, but is no loss.
+    void note(const std::string& file, const std::vector<Loss>& without_effect, const std::string& reason);
+
     /// After the last event that is needed: what the trace lacks, and what its run lost. Reads on to the end of the file.
     void add(TraceFile& trace);
 
-    bool any() const { return !messages_.empty(); }
+    bool any() const { return any_; }
 
     /// Says them, once the output is written. Returns the exit status.
     int told() const;
 
 private:
+    void say(const std::string& file, const std::vector<Loss>& losses);
+
+    bool any_ = false;
     std::vector<std::string> messages_;
 };
 
