@@ -1,5 +1,7 @@
 #include "grade/report.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -70,6 +72,26 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
             open, scenes_in_words(open_scenes, say), grade.precision == Precision::single ? "float" : "double");
     }
     return text;
+}
+
+/// The faults that the traces report, for each scene the first; empty if there are none.
+std::string faults_of(const ProgramGrade& grade, const Words& say) {
+    std::string text;
+    for (const SceneGrade& each : grade.scenes) {
+        const auto& events = each.run.events;
+        const auto is_fault = [](const Event& event) { return event.get_if<event::Fault>() != nullptr; };
+        const auto first = std::find_if(events.begin(), events.end(), is_fault);
+        if (first == events.end()) continue;
+        const auto& fault = *first->get_if<event::Fault>();
+        const auto more = std::count_if(std::next(first), events.end(), is_fault);
+        text += "  " + quoted(name_of(each.scene), say) + ": " +
+                say({"step {}", "шаг {}"}, std::size_t(first - events.begin()) + 1) + ", " +
+                std::string(line_names[std::size_t(fault.at)]) + ": " + fault.reason;
+        if (more > 0) text += say({" (and {} more)", " (и ещё {})"}, std::size_t(more));
+        text += "\n";
+    }
+    if (text.empty()) return text;
+    return say({"\nFaults that the trace reports:\n", "\nСбои, о которых сообщает запись:\n"}) + text;
 }
 
 /// The first lines that the program printed, indented.
@@ -172,7 +194,7 @@ std::string report_of(const ProgramGrade& grade, const Grading& grading) {
             detail_names[std::size_t(grading.detail)], grade.missing);
     }
     if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
-    text += differences_of(grade, say) + "\n";
+    text += faults_of(grade, say) + differences_of(grade, say) + "\n";
     std::string last;
     for (const auto& each : grade.scenes) {
         // A program that writes no trace fails on all scenes for the same reason.
