@@ -637,7 +637,10 @@ TEST_CASE("worksheet: the questions that the built script for Node makes about a
     SUBCASE("a trace that is cut short: questions on the steps that it has, and status 1") {
         work.write(script, "process.stdout.write('questions')");
         const std::string whole = work.read("run.jsonl");
-        CHECK(worksheet(work.write("cut.jsonl", whole.substr(0, whole.size() - 20))).status == 1);
+        const auto cut = worksheet(work.write("cut.jsonl", whole.substr(0, whole.size() - 20)));
+        CHECK(cut.status == 1);
+        CHECK(cut.text.find("cut.jsonl") != std::string::npos);
+        CHECK(cut.text.find("cut short: ") != std::string::npos);
         CHECK(work.read("out.xml") == "questions");
     }
     SUBCASE("refused in one line: a trace without questions, and where the script was not built") {

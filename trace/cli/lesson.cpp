@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/shared/built_lesson.h"
+#include "cli/shared/losses.h"
 #include "cli/shared/scene_files.h"
 #include "import/import.h"
 #include "import/mesh_soup.h"
@@ -65,15 +66,20 @@ int make_lesson(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
     const bool is_mesh = !options.source.ends_with(".json");
-    const AnyScene scene =
-        is_mesh ? AnyScene(import_mesh_file(options.source, {}).scene) : any_scene_from(options.source);
+    Losses losses;
+    const auto imported = [&] {
+        ImportedScene made = import_mesh_file(options.source, {});
+        losses.add(options.source, made.losses);
+        return AnyScene(std::move(made.scene));
+    };
+    const AnyScene scene = is_mesh ? imported() : any_scene_from(options.source);
     auto files = new_lesson(scene);
     files["scene.json"] = is_mesh ? scene_json(std::get<AdmittedScene>(scene)) + '\n' : read_text(options.source);
     std::filesystem::create_directories(folder);
     for (const auto& [name, text] : files) write_file(folder / name, text);
     std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output
               << '\n';
-    return 0;
+    return losses.told();
 }
 
 int print_pin(const LessonOptions& options) {

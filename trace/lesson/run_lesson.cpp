@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "check/checked_trace.h"
 #include "choice/method.h"
@@ -22,11 +23,28 @@ Method method_of(const LessonRun& run) {
     return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
 }
 
+namespace {
+
+bool is_mesh(const std::string& file) { return !file.ends_with(".json"); }
+
+/// What the scene of a mesh lacks, once for each file.
+void add_losses(const Lesson& lesson, Problems& problems) {
+    std::set<std::string> files;
+    for (const LessonRun& run : lesson.runs) files.insert(lesson.file(run.scene));
+    for (const std::string& file : files) {
+        if (!is_mesh(file)) continue;
+        for (const auto& [what, where] : import_mesh_file(file, {}).losses) {
+            problems.push_back({file, 1, where + (where.empty() ? "" : ": ") + what});
+        }
+    }
+}
+
+}  // namespace
+
 AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
     if (run.of_curves()) return read_surface(read_text(file), file);
-    const bool is_mesh = !file.ends_with(".json");
-    AdmittedScene scene = is_mesh ? import_mesh_file(file, {}).scene : read_scene(read_text(file), file).scene;
+    AdmittedScene scene = is_mesh(file) ? import_mesh_file(file, {}).scene : read_scene(read_text(file), file).scene;
     if (const auto reason = refusal_of(method_of(run), scene)) {
         throw Refused(file + ": not for " + run.method + ": " + *reason);
     }
@@ -73,6 +91,7 @@ std::string LessonRun::trace_file(const std::string& lesson) const {
 Steps run_lesson(const Lesson& lesson, Problems& problems,
                  const std::function<void(const LessonRun&, std::string_view)>& take) {
     Steps steps;
+    add_losses(lesson, problems);
     for (const LessonRun& run : lesson.runs) {
         std::vector<PinSearch> searches;
         for (const Pin& pin : lesson.pins) {
