@@ -34,7 +34,7 @@ async function openSurface(text: string): Promise<Page> {
   return page;
 }
 
-type Curves = readonly (readonly (readonly [number, number])[])[];
+type Curves = readonly (readonly (readonly [number, number | null])[])[];
 
 const curvesOf = (page: Page): Promise<Curves> =>
   page.evaluate(() => {

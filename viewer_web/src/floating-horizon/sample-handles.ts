@@ -1,4 +1,4 @@
-import { LitElement, html, svg } from 'lit';
+import { LitElement, html, nothing, svg } from 'lit';
 import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { moveSample } from '../run/surface.js';
@@ -14,6 +14,7 @@ import type { View } from '../algorithm/view.js';
 import { act } from '../editor/act.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
+import { hasPoint } from './pieces.js';
 import { base } from '../elements/theme.js';
 
 /** CSS pixels: the radius of handles, and of the area around them that takes the pointer. */
@@ -38,7 +39,8 @@ export class SampleHandlesElement extends LitElement {
   }
 
   private sampleAt({ curve, sample }: SampleSpot): Sample | undefined {
-    return this.view.header.scene.curves?.[curve]?.[sample];
+    const found = this.view.header.scene.curves?.[curve]?.[sample];
+    return found !== undefined && hasPoint(found) ? found : undefined;
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -55,7 +57,7 @@ export class SampleHandlesElement extends LitElement {
     const apart = ((last - first) * frame.scale) / Math.max(1, samples.length - 1);
     const r = Math.min(radius, Math.max(1.5, 0.4 * apart));
     return html`<svg viewBox=${frame.shown.join(' ')}>
-      ${samples.map((at, sample) => this.handle(at, { curve, sample }, r))}
+      ${samples.map((at, sample) => (hasPoint(at) ? this.handle(at, { curve, sample }, r) : nothing))}
     </svg>`;
   }
 

@@ -12,6 +12,7 @@ import type { View } from '../algorithm/view.js';
 import { flagData, flagLooks } from './flag-looks.js';
 import type { FlagLook } from './flag-looks.js';
 import type { Layer } from './layers.js';
+import { hasPoint, piecesOf } from './pieces.js';
 import type { Heights } from './state.js';
 import type { Line } from '../replay/values.js';
 
@@ -38,9 +39,8 @@ export function heightOver(curve: Curve, column: number): number | null {
   const next = curve.findIndex(([x]) => x >= column);
   const [x2, y2] = curve[next] ?? [NaN, NaN];
   if (x2 === column) return y2;
-  const before = curve[next - 1];
-  if (before === undefined) return null;
-  const [x1, y1] = before;
+  const [x1, y1] = curve[next - 1] ?? [NaN, null];
+  if (y1 === null || y2 === null) return null;
   return y1 + ((y2 - y1) * (column - x1)) / (x2 - x1);
 }
 
@@ -67,14 +67,28 @@ function horizonData(heights: Heights, { x, width }: Area): string {
 const curveInHand = ({ header, after }: View): Curve | null =>
   header.scene.curves?.[after.floatingHorizon?.curve ?? -1] ?? null;
 
-const first = (curve: Curve): Spot => curve[0] ?? [NaN, NaN];
-const last = (curve: Curve): Spot => curve.at(-1) ?? [NaN, NaN];
+const first = (curve: Curve): Spot | null => piecesOf(curve)[0]?.[0] ?? null;
+const last = (curve: Curve): Spot | null => piecesOf(curve).at(-1)?.at(-1) ?? null;
 
-/** A line through the ends of the curves. The end of the last one may not have been reached yet. */
-function sideEdge(ends: readonly Spot[], reached: Spot | null): Shape {
+/**
+ * Lines through the ends of the curves, with a gap at a curve that has no end. The end of the last one may not have been reached
+ * yet.
+ */
+function sideEdge(ends: readonly (Spot | null)[], reached: Spot | null): Shape {
   const isReached = ends.at(-1)?.join() === reached?.join();
-  return { look: 'side-edge', d: pathData(isReached ? ends : ends.slice(0, -1), false) };
+  const lines: Spot[][] = [[]];
+  for (const end of isReached ? ends : ends.slice(0, -1)) {
+    if (end === null) lines.push([]);
+    else lines.at(-1)?.push(end);
+  }
+  const d = lines.map((line) => (line.length === 0 ? '' : pathData(line, false))).join('');
+  return { look: 'side-edge', d };
 }
+
+const curveData = (curve: Curve): string =>
+  piecesOf(curve)
+    .map((piece) => pathData(piece, false))
+    .join('');
 
 type Draw = (view: View, frame: Frame) => readonly Shape[];
 
@@ -90,12 +104,13 @@ const layers: Readonly<Record<Layer, Draw>> = {
     const curve = curveInHand(view);
     if (curve === null) return [];
     const ends = view.after.floatingHorizon?.place.segment;
-    const segment = curve.filter(([x]) => ends?.includes(x));
+    const segment = curve.filter(hasPoint).filter(([x]) => ends?.includes(x));
     const [from, to] = [curve[0]?.[0] ?? 0, curve.at(-1)?.[0] ?? 0];
     const areApart = (to - from) * scale >= samplesApart * (curve.length - 1);
-    const samples = areApart ? curve.map((sample) => circleData(sample, 2 / scale)).join('') : '';
+    const points = areApart ? piecesOf(curve).flat() : [];
+    const samples = points.map((sample) => circleData(sample, 2 / scale)).join('');
     return [
-      { look: 'in-hand', d: pathData(curve, false) },
+      { look: 'in-hand', d: curveData(curve) },
       { look: 'segment', d: pathData(segment, false) },
       { look: 'samples', d: samples },
     ];
@@ -196,7 +211,7 @@ function pointedShapes(view: View): readonly Shape[] {
   return [...asked, ...(pointed === null ? [] : [pointed])].flatMap((text): readonly Shape[] => {
     const thing = thingOf(text, view);
     if (thing?.kind === 'curve') {
-      return [{ look: 'pointed-curve', d: pathData(curves?.[thing.curve] ?? [], false) }];
+      return [{ look: 'pointed-curve', d: curveData(curves?.[thing.curve] ?? []) }];
     }
     return thing?.kind === 'column'
       ? [{ look: 'pointed-column', d: columnData(thing.x, area) }]
@@ -238,7 +253,7 @@ export function curvesToPoint(curves: readonly Curve[]): readonly Shape[] {
   if (curves.length > most) return [];
   return curves.map((curve, i) => ({
     look: 'to-point',
-    d: pathData(curve, false),
+    d: curveData(curve),
     thing: curveThing(i),
   }));
 }

@@ -54,7 +54,6 @@ export interface SceneTexts {
   readonly refused: (polygon: string | null, reason: string) => string;
   /** The same for a surface's formula. */
   readonly formula: (reason: string) => string;
-  readonly notFiniteAt: (x: number, z: number) => string;
   readonly stands: string;
   /** A place in the text of a file. */
   readonly at: (line: number, column: number) => string;

@@ -39,10 +39,10 @@ it.each([
 it('is given in the language of the page, with its subject', () => {
   const said = whyRefused('scene: /function: rint: no such function', drawn, texts.ru.scene);
   expect(said).toBe('Формула: rint: такой функции нет');
-  const message = 'scene: /function: not finite at x = 0, z = 0.5';
+  const message = 'scene: /function: not finite at any sample';
   expect(languages.map((each) => whyRefused(message, drawn, texts[each].scene))).toEqual([
-    'The formula is not finite at x = 0, z = 0.5',
-    'Значение формулы не конечно при x = 0, z = 0,5',
+    'The formula: not finite at any sample',
+    'Формула: не имеет конечного значения ни в одном отсчёте',
   ]);
 });
 

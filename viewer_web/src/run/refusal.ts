@@ -59,14 +59,6 @@ export function refusalOf(messages: string, { polygons }: Sketch): SceneRefusal 
 /** The same as a sentence. */
 export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
   const { polygon, reason } = refusalOf(message, sketch);
-  if (polygon === '/function') return ofFormula(reason, say);
+  if (polygon === '/function') return say.formula(inWords(reason, say));
   return say.refused(polygon, inWords(reason, say));
-}
-
-/** The error in the function of a surface, possibly with its position. */
-function ofFormula(reason: string, say: SceneTexts): string {
-  const [, x, z] = /^not finite at x = (\S+), z = (\S+)$/u.exec(reason) ?? [];
-  return x === undefined || z === undefined
-    ? say.formula(inWords(reason, say))
-    : say.notFiniteAt(Number(x), Number(z));
 }

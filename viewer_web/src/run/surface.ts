@@ -85,8 +85,8 @@ export function moveSample(
 ): Sketch {
   const curves = curvesNow(sketch, shown);
   const old = curves[curve]?.[sample];
-  if (old === undefined) return sketch;
-  const y = to(old);
+  if (old === undefined || old[1] === null) return sketch;
+  const y = to([old[0], old[1]]);
   if (old[1] === y) return sketch;
   const moved = (of: Curve): Curve =>
     of.map((each, i) => (i === sample ? ([each[0], y] as const) : each));

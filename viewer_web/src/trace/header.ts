@@ -1,6 +1,5 @@
 import type { Edition } from './editions.js';
 import type { Detail, Method } from './events.js';
-import type { Sample } from './values.js';
 
 export interface Area {
   readonly x: number;
@@ -17,8 +16,11 @@ export interface Polygon {
   readonly vertices: readonly (readonly [number, number, number])[];
 }
 
+/** A column, and the height over it; null where the surface has no point, so that the curve has a gap. */
+export type CurveSample = readonly [x: number, y: number | null];
+
 /** From left to right, at least two. */
-export type Curve = readonly Sample[];
+export type Curve = readonly CurveSample[];
 
 export interface Scene {
   readonly name: string;

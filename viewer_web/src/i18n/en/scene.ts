@@ -1,5 +1,4 @@
 import type { SceneTexts } from '../../language/scene-texts.js';
-import { short, withoutDoubledSigns } from '../../language/words.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
@@ -57,8 +56,6 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Remove vertex ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   formula: (reason) => `The formula: ${reason}`,
-  notFiniteAt: (x, z) =>
-    withoutDoubledSigns(`The formula is not finite at x = ${short(x)}, z = ${short(z)}`),
   stands: 'Showing the previous run.',
   at: (line, column) => `line ${line}, column ${column}`,
   missing: (key) => `“${key}” is missing`,

@@ -1,5 +1,4 @@
 import type { SceneTexts } from '../../language/scene-texts.js';
-import { withoutDoubledSigns } from '../../language/words.js';
 import words from '../../trace/format-words.json' with { type: 'json' };
 import { short } from './numbers.js';
 import { traceReasons } from './trace-reasons.js';
@@ -62,8 +61,6 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Удалить вершину ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   formula: (reason) => `Формула: ${reason}`,
-  notFiniteAt: (x, z) =>
-    withoutDoubledSigns(`Значение формулы не конечно при x = ${short(x)}, z = ${short(z)}`),
   stands: 'Показан прежний прогон.',
   at: (line, column) => `строка ${line}, символ ${column}`,
   missing: (key) => `нет поля «${key}»`,
@@ -126,6 +123,8 @@ export const scene: SceneTexts = {
       'функции нет, поэтому других отсчётов взять нельзя',
     'fewer than two samples': 'меньше двух отсчётов',
     'not a column and a height': 'не столбец и высота',
+    'not finite at any sample': 'не имеет конечного значения ни в одном отсчёте',
+    'no sample has a height': 'ни у одного отсчёта нет высоты',
     'not right of the sample before': 'не правее предыдущего отсчёта',
     'no {} of this name': 'такого имени нет: {}',
     'not one of {}': 'не одно из {}',
