@@ -55,6 +55,32 @@ TEST_CASE("A run with a fault: each command names step, line and polygon, exits 
     check_said("figure " + run + " -o ", "figure.tex");
 }
 
+TEST_CASE("grade lists the faults that a trace reports, with step and line") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", piercing);
+    const std::string run = work.file("run.jsonl");
+    program("trace " + scene + " --method weiler-atherton --kernel double -o " + run);
+    const Outcome english = program("grade " + run);
+    CAPTURE(english.text);
+    CHECK(has(english.text, "Faults that the trace reports:\n"));
+    CHECK(has(english.text, ": step "));
+    CHECK(has(english.text, ", RC"));
+    CHECK(has(english.text, "an outline does not close"));
+    CHECK(has(program("grade --language ru " + run).text, "Сбои, о которых сообщает запись:\n"));
+    program("trace " + scene + " --method weiler-atherton --kernel exact -o " + run);
+    CHECK_FALSE(has(program("grade " + run).text, "Faults"));
+}
+
+TEST_CASE("A lesson says what its scene lacks of the mesh") {
+    const Workplace work;
+    const std::string mesh = work.write("mesh.obj", "v 0 0 0\nv 4 0 0\nv 0 3 0\nl 1 2\nf 1 2 3\n");
+    const Outcome made = program("lesson new " + mesh + " -o " + work.file("lesson"));
+    CAPTURE(made.text);
+    CHECK(made.status == 1);
+    CHECK(has(made.text, mesh + ": line 4: left out: lines and points"));
+    CHECK(work.has("lesson/scene.json"));
+}
+
 TEST_CASE("A step before the fault lacks nothing") {
     const Workplace work;
     const std::string scene = work.write("scene.json", piercing);

@@ -182,7 +182,8 @@ TEST_CASE("Surface: where the function is not finite, the curve has a gap") {
         gaps_in_words(surface.curves) ==
         "gaps: no finite height at 12 of 25 samples, first at curve 0, column 0; 2 samples between gaps are not drawn");
     CHECK(column_count(surface.curves) == 5 + 9 + 5);
-    CHECK_MESSAGE((surface.curves->area == Area{0, 7, 13, 6}), "columns 0 to 4 + 8, heights from 12 - 3 - sqrt(3) to 12");
+    CHECK_MESSAGE((surface.curves->area == Area{0, 7, 13, 6}),
+                  "columns 0 to 4 + 8, heights from 12 - 3 - sqrt(3) to 12");
 }
 
 TEST_CASE("Surface: sin(r) / r has a gap at r = 0, where it is not defined, and a formula can close it") {
