@@ -3,7 +3,7 @@ import { emptySketch } from '../run/sketch.js';
 import { moveSample, surfaceText } from '../run/surface.js';
 import { textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
+import { headerOf } from '../trace/header.js';
 import type { Curve } from '../trace/header.js';
 import { piecesOf } from './pieces.js';
 import { curvesToPoint, heightOver } from './shapes.js';
@@ -77,7 +77,7 @@ describe('a curve with gaps', () => {
   });
 
   it('is read from the header of a trace', () => {
-    expect(parseHeader(header).scene.curves).toEqual([broken, away]);
+    expect(headerOf(JSON.stringify(header)).scene.curves).toEqual([broken, away]);
   });
 
   it('has no side edges where it has no piece', async () => {

@@ -78,10 +78,14 @@ export class Opening {
       const { path, reason } = placed(engine().messages());
       throw new Unreadable(reason, path);
     }
-    engine().exports.trace_header(this.number);
-    const header = this.trace === null ? engine().made() : '';
-    if (header !== '') this.trace = new Trace(this.number, headerOf(header));
+    this.trace ??= this.begun();
     this.trace?.grow();
+  }
+
+  private begun(): Trace | null {
+    engine().exports.trace_header(this.number);
+    const header = engine().made();
+    return header === '' ? null : new Trace(this.number, headerOf(header));
   }
 }
 
