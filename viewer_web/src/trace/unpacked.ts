@@ -11,6 +11,7 @@ export class Unpacked {
   read = 0;
   private reads = 0;
   private reading = false;
+  private isLeft = false;
 
   constructor(private readonly file: Blob) {}
 
@@ -21,6 +22,7 @@ export class Unpacked {
         yield piece;
       }
     } finally {
+      this.isLeft = true;
       reader.cancel().catch(() => undefined);
     }
   }
@@ -40,10 +42,10 @@ export class Unpacked {
     return plain.pipeThrough(toUtf8());
   }
 
-  /** A truncated gzip stream fails when closed and discards unread data. This waits until the data are read. */
+  /** A truncated gzip stream fails when closed and discards unread data. This waits until the data are read, or not wanted. */
   private async drained(): Promise<void> {
     let seen = -1;
-    while (!this.reading || seen !== this.reads) {
+    while (!this.isLeft && (!this.reading || seen !== this.reads)) {
       seen = this.reads;
       await pause(5);
     }
