@@ -113,8 +113,8 @@ TEST_CASE("surfaces: a half ball has gaps in every output, which are said once a
     const Workplace work;
     // At z = 1 and -1 three of five samples are in the half ball, at 0 all five, at 2 and -2 one.
     const std::string surface =
-        work.write("ball.json", R"({"function":"sqrt(4 - x^2 - z^2)","x":[-2,2],"z":[2,-2],"curves":5,"samples":5,)"
-                                R"("view":{"origin":[0,12],"across":[8,0],"back":[1,-1],"up":1}})");
+        work.write("ball.json", R"json({"function":"sqrt(4 - x^2 - z^2)","x":[-2,2],"z":[2,-2],"curves":5,"samples":5,
+                   "view":{"origin":[0,12],"across":[8,0],"back":[1,-1],"up":1}})json");
     const std::string gaps = surface +
                              ": gaps: no finite height at 12 of 25 samples, first at curve 0, column 0; "
                              "2 samples between gaps are not drawn\n";

@@ -149,9 +149,9 @@ TEST_CASE("Surface: a surface that is written and read again is the same") {
 namespace {
 
 /// The columns of each piece of each curve.
-using Columns = std::vector<std::vector<std::vector<int>>>;
-Columns columns_of_pieces(const CurveScene& scene) {
-    Columns found;
+using PieceColumns = std::vector<std::vector<std::vector<int>>>;
+PieceColumns columns_of_pieces(const CurveScene& scene) {
+    PieceColumns found;
     for (const Curve& curve : scene.curves) {
         found.emplace_back();
         for (const Piece& piece : pieces_of(curve)) {
@@ -174,7 +174,7 @@ const std::string half_ball = "sqrt(4 - x^2 - z^2)";
 TEST_CASE("Surface: where the function is not finite, the curve has a gap") {
     // At z = 2 and -2 only x = 0 is in the half ball, at 1 and -1 x from -sqrt(3) to sqrt(3), at 0 all of them.
     const Surface surface = read_surface(over_five_by_five(half_ball), "s.json");
-    CHECK(columns_of_pieces(surface.curves) == Columns{{}, {{3, 5, 7}}, {{2, 4, 6, 8, 10}}, {{5, 7, 9}}, {}});
+    CHECK(columns_of_pieces(surface.curves) == PieceColumns{{}, {{3, 5, 7}}, {{2, 4, 6, 8, 10}}, {{5, 7, 9}}, {}});
     const auto& samples = surface.curves->curves[1].samples;
     CHECK(samples[2].y == doctest::Approx(12 - 1 - std::sqrt(3.)));
     CHECK(samples[3].y == doctest::Approx(12 - 1 - std::sqrt(2.)));
@@ -189,8 +189,9 @@ TEST_CASE("Surface: where the function is not finite, the curve has a gap") {
 TEST_CASE("Surface: sin(r) / r has a gap at r = 0, where it is not defined, and a formula can close it") {
     const std::string r = "sqrt(x^2 + z^2)";
     const Surface surface = read_surface(over_five_by_five("sin(" + r + ") / " + r), "s.json");
-    CHECK(columns_of_pieces(surface.curves) ==
-          Columns{{{0, 2, 4, 6, 8}}, {{1, 3, 5, 7, 9}}, {{2, 4}, {8, 10}}, {{3, 5, 7, 9, 11}}, {{4, 6, 8, 10, 12}}});
+    CHECK(
+        columns_of_pieces(surface.curves) ==
+        PieceColumns{{{0, 2, 4, 6, 8}}, {{1, 3, 5, 7, 9}}, {{2, 4}, {8, 10}}, {{3, 5, 7, 9, 11}}, {{4, 6, 8, 10, 12}}});
     CHECK(gaps_in_words(surface.curves) == "gaps: no finite height at 1 of 25 samples, first at curve 2, column 6");
     const Surface closed = read_surface(over_five_by_five("x == 0 && z == 0 ? 1 : sin(" + r + ") / " + r), "s.json");
     CHECK(gaps_in_words(closed.curves).empty());
@@ -203,7 +204,7 @@ TEST_CASE("Surface: with a tolerance a gap begins and ends on the right columns"
     surface.left = -2;
     surface.right = 2;
     surface.nearest = surface.farthest = 1;
-    CHECK(columns_of_pieces({{}, sampled(surface)}) == Columns{{}, {}});
+    CHECK(columns_of_pieces({{}, sampled(surface)}) == PieceColumns{{}, {}});
     for (const double tolerance : {100., 1., 0.01}) {
         CAPTURE(tolerance);
         surface.tolerance = tolerance;
@@ -217,14 +218,14 @@ TEST_CASE("Surface: with a tolerance a gap begins and ends on the right columns"
     // A gap of one column, between samples on both sides of it.
     surface.function = [](double x, double) { return x == 0.25 ? std::nan("") : 0; };
     surface.tolerance = 1;
-    CHECK(columns_of_pieces({{}, {sampled(surface)[0]}}) == Columns{{{0, 8}, {10, 12, 16}}});
+    CHECK(columns_of_pieces({{}, {sampled(surface)[0]}}) == PieceColumns{{{0, 8}, {10, 12, 16}}});
 }
 
 TEST_CASE("Surface: a sample without a height is null, and a curve with gaps is read again as it was written") {
     const std::string text = R"({"format":"vidno-surface/1","name":"","window":{"x":0,"y":0,"width":9,"height":9},)"
                              R"("curves":[[[0,null],[1,2],[3,2.5],[4,null],[6,1],[8,1]],[[0,null],[8,null]]]})";
     const Surface surface = read_surface(text, "s.json");
-    CHECK(columns_of_pieces(surface.curves) == Columns{{{1, 3}, {6, 8}}, {}});
+    CHECK(columns_of_pieces(surface.curves) == PieceColumns{{{1, 3}, {6, 8}}, {}});
     CHECK(surface_json(surface) == text);
     CHECK(gaps_in_words(surface.curves) == "gaps: no finite height at 4 of 8 samples, first at curve 0, column 0");
     const Surface dome = read_surface(over_five_by_five(half_ball), "s.json");
