@@ -474,14 +474,14 @@ struct Here {
     bool sandbox, filter, descendants, memory_limit, process_limit;
 };
 
-enum class Given : unsigned char { no, by_counting, yes };
+enum class Assurance : unsigned char { no, by_counting, yes };
 
 struct Guarantee {
     Bilingual what;
-    Given (*given)(const Here&);
+    Assurance (*assurance)(const Here&);
 };
 
-constexpr auto in_the_sandbox = [](const Here& here) { return here.sandbox ? Given::yes : Given::no; };
+constexpr auto in_the_sandbox = [](const Here& here) { return here.sandbox ? Assurance::yes : Assurance::no; };
 
 /// docs/grading.md describes them, and what always holds.
 const Guarantee guarantees[] = {
@@ -493,17 +493,17 @@ const Guarantee guarantees[] = {
     {{"that it reaches no network and no other process", "что ей недоступны сеть и другие процессы"}, in_the_sandbox},
     {{"how many processes it runs", "сколько процессов она запускает"},
      [](const Here& here) {
-         return here.process_limit || (here.sandbox && here.descendants) ? Given::yes : Given::no;
+         return here.process_limit || (here.sandbox && here.descendants) ? Assurance::yes : Assurance::no;
      }},
     {{"that no process of it survives", "что её процессы не переживут её"},
-     [](const Here& here) { return here.descendants ? Given::yes : Given::no; }},
+     [](const Here& here) { return here.descendants ? Assurance::yes : Assurance::no; }},
     {{"how much memory its processes take together", "сколько памяти занимают её процессы вместе"},
      [](const Here& here) {
-         if (here.memory_limit) return Given::yes;
-         return here.descendants ? Given::by_counting : Given::no;
+         if (here.memory_limit) return Assurance::yes;
+         return here.descendants ? Assurance::by_counting : Assurance::no;
      }},
     {{"that it takes no memory of the system besides", "что она не займёт ещё и память системы"},
-     [](const Here& here) { return here.sandbox && here.filter ? Given::yes : Given::no; }},
+     [](const Here& here) { return here.sandbox && here.filter ? Assurance::yes : Assurance::no; }},
 };
 
 }  // namespace
@@ -533,9 +533,9 @@ Lacking lacking_for(const Limits& limits, const Words& say) {
                     group.limits_processes()};
     Lacking lacking;
     for (const Guarantee& each : guarantees) {
-        const Given given = each.given(here);
-        if (given == Given::yes) continue;
-        std::string& list = given == Given::no ? lacking.guarantees : lacking.system_limits;
+        const Assurance assurance = each.assurance(here);
+        if (assurance == Assurance::yes) continue;
+        std::string& list = assurance == Assurance::no ? lacking.guarantees : lacking.system_limits;
         list.append(list.empty() ? "" : "; ").append(say(each.what));
     }
     return lacking;

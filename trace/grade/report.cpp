@@ -85,8 +85,8 @@ std::string faults_of(const ProgramGrade& grade, const Words& say) {
         const auto& fault = *first->get_if<event::Fault>();
         const auto more = std::count_if(std::next(first), events.end(), is_fault);
         text += "  " + quoted(name_of(each.scene), say) + ": " +
-                say({"step {}", "шаг {}"}, std::size_t(first - events.begin()) + 1) + ", " +
-                std::string(line_names[std::size_t(fault.at)]) + ": " + fault.reason;
+                say({"step {}, {}: {}", "шаг {}, {}"}, std::size_t(first - events.begin()) + 1,
+                    std::string(line_names[std::size_t(fault.at)]), fault.reason);
         if (more > 0) text += say({" (and {} more)", " (и ещё {})"}, std::size_t(more));
         text += "\n";
     }

@@ -115,7 +115,11 @@ AnyScene any_scene_for(RunOptions& options, bool says_step) {
 
 std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file) {
     const std::string text = read_text(file);
-    if (is_surface(text)) return read_function(text, file);
+    if (is_surface(text)) {
+        Function function = read_function(text, file);
+        say_gaps(read_surface(text, file).curves, file);
+        return function;
+    }
     if (!is_failure(text)) return std::get<AdmittedScene>(read(text, file).scene);
     std::optional<Function> function;
     Failure failure = read_json(text, file, [&](const JsonNode& root) {
