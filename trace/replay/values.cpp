@@ -102,15 +102,21 @@ struct DrawnLine {
 };
 DrawnLine as_drawn(const VisibleLine<Value>& line) { return {&line}; }
 
+/// What the values of all states begin with.
+template <class AState>
+void add_common(Text& out, Members& members, const AState& state, const typename AState::Values* before) {
+    members.begin("step");
+    append_integer(out, state.step());
+    members.add("calls", state.values().calls.frames(), before ? &before->calls.frames() : nullptr);
+}
+
 }  // namespace
 
 void ValuesText::append(Text& out, const State& state, const State::Values* before) {
     Writer writer(out, names_, shortest_);
     Members members(out, writer);
     const State::Values& now = state.values();
-    members.begin("step");
-    append_integer(out, state.step());
-    members.add("calls", now.calls.frames(), before ? &before->calls.frames() : nullptr);
+    add_common(out, members, state, before);
     const auto own = [&](std::string_view name, auto part) {
         members.begin(name);
         append_fields(out, writer, now.*part, before ? &(before->*part) : nullptr);
@@ -131,9 +137,7 @@ void ValuesText::append(Text& out, const FloatingHorizonState& state, const Floa
     Writer writer(out, names_, shortest_);
     Members members(out, writer);
     const FloatingHorizonState::Values& now = state.values();
-    members.begin("step");
-    append_integer(out, state.step());
-    members.add("calls", now.calls.frames(), before ? &before->calls.frames() : nullptr);
+    add_common(out, members, state, before);
     members.begin("floatingHorizon");
     append_fields(out, writer, now, before);
     members.add("lines", now.lines, before ? &before->lines : nullptr, as_drawn);
