@@ -26,12 +26,13 @@ export function optional<T>(check: Check<T>): OptionalCheck<T> {
   return Object.assign(take, { optional: true } as const);
 }
 
-/** The value of a text in JSON. Throws the reason `empty` for a text without content. */
-export function parseJson(text: string, empty: 'emptyFile' | 'emptyLine' = 'emptyFile'): unknown {
+/** The value of a text in JSON. */
+export function parseJson(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch {
-    throw text.trim() === '' ? new Refusal('', empty) : new Refusal('', 'notJson', describe(text));
+    const isEmpty = text.trim() === '';
+    throw isEmpty ? new Refusal('', 'emptyFile') : new Refusal('', 'notJson', describe(text));
   }
 }
 

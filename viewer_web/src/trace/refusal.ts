@@ -19,7 +19,6 @@ export interface Reasons {
   noWebAddress: [found: string];
   // A file or a list has nothing in it, or is no text.
   emptyFile: [];
-  emptyLine: [];
   emptyList: [];
   notJson: [found: string];
   notUtf8: [];

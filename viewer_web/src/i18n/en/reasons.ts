@@ -20,7 +20,6 @@ export const reasons: ReasonTexts = {
   noSuchRun: (name) => `the lesson has no run ${name}`,
   noWebAddress: (found) => `an address such as https://… is expected here, not ${found}`,
   emptyFile: () => 'the file is empty',
-  emptyLine: () => 'the line is empty',
   emptyList: () => 'the list is empty',
   notJson: (found) => `this is not JSON: ${found}`,
   notUtf8: () => 'the text is not UTF-8',

@@ -20,7 +20,6 @@ export const reasons: ReasonTexts = {
   noSuchRun: (name) => `в уроке нет прогона ${name}`,
   noWebAddress: (found) => `здесь должен стоять адрес https://…, а не ${found}`,
   emptyFile: () => 'файл пуст',
-  emptyLine: () => 'строка пуста',
   emptyList: () => 'список пуст',
   notJson: (found) => `это не JSON: ${found}`,
   notUtf8: () => 'текст не в кодировке UTF-8',
