@@ -227,7 +227,8 @@ void LineReader::begin() {
         end = buffer_.find_first_of("\r\n");
     } while ((end == std::string::npos || end + 1 == buffer_.size()) && refill());
     position_ = size_of_mark(buffer_, source_->name);
-    const bool is_cr_alone = end + 1 < buffer_.size() && buffer_[end] == '\r' && buffer_[end + 1] != '\n';
+    const bool has_next = end != std::string::npos && end + 1 < buffer_.size();
+    const bool is_cr_alone = has_next && buffer_[end] == '\r' && buffer_[end + 1] != '\n';
     line_end_ = is_cr_alone ? '\r' : '\n';
 }
 
