@@ -1006,6 +1006,96 @@ TEST_CASE("stability: a campaign that is killed and continued gives the same byt
     CHECK(work.read("killed.jsonl") == work.read("whole.jsonl"));
 }
 
+TEST_CASE("stability: several blocks at a time give the same bytes") {
+    const Workplace work;
+    const std::string campaign = "stability --family edges horizon-ties --kernel float exact --method all --count 3 ";
+    for (const std::string jobs : {"1", "2", "7"})
+        REQUIRE(program(campaign + "--jobs " + jobs + " -o " + work.file(jobs)).status == 0);
+    CHECK(work.read("2") == work.read("1"));
+    CHECK(work.read("7") == work.read("1"));
+}
+
+TEST_CASE("stability: a failing trial of a merged file fails again alone, and its scene is painted wrong") {
+    const Workplace work;
+    const std::string results = work.file("results.jsonl"), scene = work.file("scene.json");
+    REQUIRE(
+        program("stability --seed 3 --family edges --kernel float --method zbuffer --count 20 -o " + results).status ==
+        0);
+    const std::string told = program("stability --merge " + results).text;
+    const std::size_t at = told.find("edges:moved-");
+    REQUIRE(at != std::string::npos);
+    const std::string trial = told.substr(at, told.find('\n', at) - at);
+    const auto again = program("stability --merge " + results + " --trial " + trial + " -o " + scene);
+    CHECK(again.status == 0);
+    CHECK(again.text.starts_with("float     zbuffer          wrong pixels "));
+    CHECK_FALSE(again.text.starts_with("float     zbuffer          wrong pixels 0 "));
+    for (const std::string kernel : {"float", "exact"})
+        REQUIRE(
+            program("render " + scene + " --method zbuffer --kernel " + kernel + " -o " + work.file(kernel + ".ppm"))
+                .status == 0);
+    CHECK(work.read("float.ppm") != work.read("exact.ppm"));
+    CHECK(program("stability --trial edges:moved:1").text == "vidno: there is no experiment moved\n");
+    CHECK(program("stability --trial edges:moved-1").text.find("not FAMILY:EXPERIMENT:N") != std::string::npos);
+    CHECK(program("stability --trial horizon-ties:swept-by-ulps:1").text.find("are only moved") != std::string::npos);
+}
+
+TEST_CASE("stability: the shard of a task of Slurm") {
+    const Workplace work;
+    const std::string campaign = " stability --family slivers --kernel double --method zbuffer --count 1 -o ";
+    const auto in_task = [&](const std::string& variables, const std::string& arguments) {
+        return program(variables + " '" VIDNO_FILE "'" + arguments, "/usr/bin/env");
+    };
+    const auto array = [](const char* id, const char* least, const char* most, const char* count) {
+        return std::string("SLURM_ARRAY_TASK_ID=") + id + " SLURM_ARRAY_TASK_MIN=" + least +
+               " SLURM_ARRAY_TASK_MAX=" + most + " SLURM_ARRAY_TASK_COUNT=" + count;
+    };
+    REQUIRE(in_task(array("2", "1", "3", "3"), campaign + work.file("auto") + " --shard auto").status == 0);
+    REQUIRE(program(campaign + work.file("said") + " --shard 2/3").status == 0);
+    CHECK(work.read("auto") == work.read("said"));
+    for (const std::string& part : {array("2", "2", "3", "2"), array("0", "0", "2", "3"), array("3", "1", "3", "2")}) {
+        CHECK(in_task(part, campaign + work.file("part") + " --shard auto").status == 2);
+        CHECK_FALSE(work.has("part"));
+    }
+    CHECK(program(campaign + work.file("part") + " --shard auto").text.find("not in an array") != std::string::npos);
+}
+
+TEST_CASE(
+    "stability: the script for Slurm submits an array and the job that merges, and a killed task is queued again") {
+    const Workplace work;
+    // In place of Slurm: `sbatch` runs the tasks of an array at once, kills the program in task 2 the first time, and then runs the other
+    // job; `scontrol` runs the task again.
+    const std::string tools = work.file("tools");
+    const auto tool = [&](const std::string& name, const std::string& text) {
+        std::filesystem::permissions(work.write("tools/" + name, "#!/bin/bash\n" + text),
+                                     std::filesystem::perms::owner_all);
+    };
+    tool("sbatch", R"sh(set -e
+if [[ $1 == --parsable ]]; then
+    for SLURM_ARRAY_TASK_ID in 1 2 3; do SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=$SLURM_ARRAY_TASK_ID bash "${@: -1}" || true; done >&2
+    echo '7;cluster'
+else
+    echo "$*" | grep -o 'afterany:[^ ]*'
+    bash -c "${@: -1}"
+fi
+)sh");
+    tool("scontrol",
+         "echo \"$*\"\nSLURM_RESTART_COUNT=1 SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=${2#*_} bash campaign.sh\n");
+    tool("vidno", "[[ \"$*\" == *2/3* && ! -e killed ]] && touch killed && kill -9 $$\nexec '" VIDNO_FILE "' \"$@\"\n");
+    const std::string campaign = "stability --family edges --kernel float --method zbuffer --count 5 ";
+    const auto in_folder = [&](const std::string& command) {
+        return program("-c \"cd '" + work.directory.string() + "' && PATH='" + tools + "':\\$PATH && " + command + "\"",
+                       "/bin/sh");
+    };
+    REQUIRE(in_folder("'" VIDNO_FILE "' " + campaign + "--script slurm --tasks 3 -o all.jsonl > campaign.sh").status ==
+            0);
+    const auto ran = in_folder("bash campaign.sh");
+    CHECK(ran.status == 0);
+    CHECK(ran.text.find("requeue 7_2\n") != std::string::npos);
+    CHECK(ran.text.find("afterany:7\n") != std::string::npos);
+    REQUIRE(program(campaign + "-o " + work.file("whole.jsonl")).status == 0);
+    CHECK(work.read("all.jsonl") == work.read("whole.jsonl"));
+}
+
 TEST_CASE("import, then both methods paint the same picture of the mesh") {
     const Workplace work;
     const std::string scene = work.file("teapot.json");

@@ -1,15 +1,22 @@
 // Campaigns: the families and perturbations, the counts of a trial, and that results add up to the same whether the campaign runs
 // whole, in shards, or is continued after a kill.
 
-#include "stability/stability.h"
+#include "stability/results.h"
 
 #include <doctest/doctest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <cstddef>
+#include <map>
 
 #include "output.h"
 #include "refused.h"
@@ -20,6 +27,7 @@
 #include "stability/witness.h"
 #include "support/curves.h"
 #include "support/scenes.h"
+#include "support/workplace.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -42,36 +50,46 @@ std::vector<std::string> names_of_families() {
     return names;
 }
 
-void run_all(Results& results) {
-    for (const auto& block : results.blocks()) {
-        if (!results.has(block)) results.add(block, run_block(results.campaign(), block));
+std::vector<Block> blocks_of(const Results& results) {
+    std::vector<Block> all;
+    for (std::uint64_t number = 0; number < results.blocks().size(); ++number) {
+        const Block block = results.blocks().at(number);
+        if (block.first < block.end) all.push_back(block);
     }
+    return all;
 }
 
 Results whole(const Campaign& campaign) {
     Results results(campaign);
-    run_all(results);
+    for (const Block& block : blocks_of(results)) results.add(block, run_block(campaign, block));
     return results;
+}
+
+/// The text of a run's file: a line for each of these blocks of a campaign, those that the file does not have yet.
+std::string text_of_run(const Campaign& campaign, const std::vector<Block>& blocks, const std::string& begun = "") {
+    std::string text = begun.empty() ? header_of(campaign) : begun;
+    for (const Block& block : blocks) text += line_of(campaign, block, run_block(campaign, block));
+    return text;
+}
+
+std::string text_of_all(const Campaign& campaign) { return text_of_run(campaign, blocks_of(Results(campaign))); }
+
+/// Continues a file as the program does.
+void continue_run(const std::string& file) {
+    Results results(campaign_in(file));
+    Journal journal(file, header_of(results.campaign()));
+    results.add_file(file);
+    for (const Block& block : blocks_of(results)) {
+        if (!results.has(block))
+            journal.append(line_of(results.campaign(), block, run_block(results.campaign(), block)));
+    }
 }
 
 Picture picture_of(const AdmittedScene& scene, Method method, const char* kernel) {
     return run({method, *kernel_named(kernel), Edition::corrected, scene});
 }
 
-const Campaign small{7, 2, {"slivers", "vertices"}, {"float", "double"}, {"zbuffer"}};
-
-/// A file that is removed with the test.
-struct TemporaryFile {
-    std::string name;
-
-    explicit TemporaryFile(const std::string& text)
-        : name((std::filesystem::temp_directory_path() / ("vidno-journal-" + std::to_string(getpid()))).string()) {
-        std::ofstream(name, std::ios::binary) << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(name); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-};
+const Campaign small{"1.0.0", 7, 2, {"slivers", "vertices"}, {"float", "double"}, {"zbuffer"}};
 
 }  // namespace
 
@@ -126,7 +144,8 @@ TEST_CASE("A few thousand scenes, random and degenerate: no wrong pixel under fi
 
 TEST_CASE("Decisions and pixels: double is wrong next to coincidences, in degenerate families" *
           doctest::skip(sanitized)) {
-    const Results results = whole({1, 6, {"coplanar", "edges", "vertices"}, {"double"}, {"warnock", "zbuffer"}});
+    const Results results =
+        whole({"1.0.0", 1, 6, {"coplanar", "edges", "vertices"}, {"double"}, {"warnock", "zbuffer"}});
     for (const auto& family : results.campaign().families) {
         CAPTURE(family);
         for (const Tally& tally : results.sum(family, experiment_of(Experiment::Kind::moved, "1"))) {
@@ -138,8 +157,8 @@ TEST_CASE("Decisions and pixels: double is wrong next to coincidences, in degene
 }
 
 TEST_CASE("Kernels that are always right are right on every scene, grid on the snapped one") {
-    Results results({3, 1, names_of_families(), {"filtered", "grid:8"}, {"warnock", "zbuffer"}});
-    for (const auto& block : results.blocks()) {
+    Results results({"1.0.0", 3, 1, names_of_families(), {"filtered", "grid:8"}, {"warnock", "zbuffer"}});
+    for (const Block& block : blocks_of(results)) {
         if (block.experiment->kind == Experiment::Kind::grown) continue;
         CAPTURE(block.number);
         const Tallies tallies = run_block(results.campaign(), block);
@@ -151,10 +170,10 @@ TEST_CASE("Kernels that are always right are right on every scene, grid on the s
 
 TEST_CASE("A wrong result breaks the promise of an always right kernel only") {
     for (const std::string kernel : {"double", "filtered"}) {
-        Results results({1, 1, {"edges"}, {kernel}, {"zbuffer"}});
+        Results results({"1.0.0", 1, 1, {"edges"}, {kernel}, {"zbuffer"}});
         Tally tally;
         tally.wrong_pixels = 1;
-        results.add(results.blocks().front(), {tally});
+        results.add(results.blocks().at(0), {tally});
         CHECK(results.as_promised() == (kernel == "double"));
     }
 }
@@ -207,98 +226,198 @@ TEST_CASE("Growth of windows: beside a triangle, the windows in its box split do
     }
 }
 
-TEST_CASE("Results in shards, in any order, are those of a single run, byte for byte") {
-    const std::string expected = whole(small).text();
-    Results merged(small);
+TEST_CASE("Results in shards, in any order and some twice, merge to those of a single run, byte for byte") {
+    const Workplace work;
+    const std::vector<Block> all = blocks_of(Results(small));
+    std::vector<std::string> files;
     for (const std::size_t shard : {2, 0, 1}) {
-        Results part(small);
-        for (std::size_t i = shard; i < part.blocks().size(); i += 3) {
-            part.add(part.blocks()[i], run_block(small, part.blocks()[i]));
-        }
-        merged.add(part.text(), "part");
+        std::vector<Block> blocks;
+        for (std::size_t i = shard; i < all.size(); i += 3) blocks.push_back(all[i]);
+        if (shard == 0) std::reverse(blocks.begin(), blocks.end());  // a file that is out of order
+        if (shard == 1) blocks.push_back(all[3]);                    // a block of another shard
+        files.push_back(work.write("part" + std::to_string(shard), text_of_run(small, blocks)));
     }
-    CHECK(merged.missing() == 0);
-    CHECK(merged.text() == expected);
+    OutputFile output(work.file("merged"));
+    CHECK(merged(files, &output).missing() == 0);
+    output.commit();
+    CHECK(work.read("merged") == text_of_all(small));
 }
 
 TEST_CASE("A killed run is continued: its partial block runs again") {
-    const std::string expected = whole(small).text();
+    const Workplace work;
+    const std::string expected = text_of_all(small);
     for (const std::size_t cut : {expected.size() - 1, expected.size() / 2, expected.find('\n') + 1}) {
-        Results resumed(small);
-        resumed.add(expected.substr(0, cut), "cut");
-        CHECK(resumed.missing() > 0);
-        run_all(resumed);
-        CHECK(resumed.text() == expected);
+        const std::string file = work.write("cut", expected.substr(0, cut));
+        continue_run(file);
+        CHECK(work.read("cut") == expected);
+    }
+}
+
+TEST_CASE("A campaign that is extended has the bytes of one that had as many trials from the start") {
+    const Workplace work;
+    // Rounds have 128 trials that move coordinates: the last is whole, or grows, and `swept` has a trial in every other one.
+    for (const auto& [before, after] : {std::pair(128, 300), std::pair(2, 3), std::pair(130, 257)}) {
+        CAPTURE(after);
+        Campaign campaign{"1.0.0", 7, std::uint64_t(before), {"horizon-ties"}, {"double"}, {"floating-horizon"}};
+        const std::string file = work.write("extended", text_of_all(campaign));
+        extend(file, std::uint64_t(after));
+        continue_run(file);
+        campaign.count = std::uint64_t(after);
+        CHECK(work.read("extended") == text_of_all(campaign));
+        CHECK_THROWS_AS(extend(file, std::uint64_t(after)), Refused);
+    }
+}
+
+TEST_CASE("Each trial of a campaign is in one block, before and after files named the version") {
+    for (const std::string version : {"", "1.0.0"}) {
+        for (const std::uint64_t count : {1, 2, 64, 128, 129, 255, 256, 257, 1000}) {
+            const Results results({version, 1, count, {"edges", "slivers"}, {"double"}, {"zbuffer"}});
+            CAPTURE(version);
+            CAPTURE(count);
+            std::map<std::pair<const Family*, const Experiment*>, std::uint64_t> trials;
+            for (const Block& block : blocks_of(results)) {
+                auto& next = trials[{block.family, block.experiment}];
+                CHECK(block.first == next);
+                next = block.end;
+            }
+            CHECK(trials.size() == 2 * experiments.size());
+            CHECK(results.missing() == blocks_of(results).size());
+            for (const auto& [of, end] : trials) CHECK(end == (count + of.second->price - 1) / of.second->price);
+        }
     }
 }
 
 TEST_CASE("A file written before campaigns had all methods is continued byte for byte") {
     // Written by an earlier program: vidno stability --seed 5 --count 1 --family triangles steep --kernel double. The decisions of the
     // Z-buffer were counted again later, since it now sorts its active edges with fewer comparisons.
-    const std::string file = VIDNO_ROOT "/tests/stability/campaign-of-before.jsonl";
-    const std::string expected = read_file(file);
-    const TemporaryFile half(expected.substr(0, expected.size() / 2));
-    Results resumed = Results::merged({half.name});
-    CHECK(resumed.missing() > 20);
-    run_all(resumed);
-    CHECK(resumed.text() == expected);
+    const Workplace work;
+    const std::string expected = read_file(VIDNO_ROOT "/tests/stability/campaign-of-before.jsonl");
+    const std::string file = work.write("half", expected.substr(0, expected.size() / 2));
+    CHECK(merged({file}, nullptr).missing() > 20);
+    continue_run(file);
+    CHECK(work.read("half") == expected);
 }
 
 TEST_CASE("Results of another campaign, and files of another kind, are refused") {
-    const Results results = whole({1, 1, {"edges"}, {"double"}, {"zbuffer"}});
-    const std::string header = results.header();
-    const std::string line = results.line(results.blocks().front());
+    const Campaign campaign{"1.0.0", 1, 1, {"edges"}, {"double"}, {"zbuffer"}};
+    const std::string header = header_of(campaign);
+    const Block first = Blocks(campaign).at(0);
+    const std::string line = line_of(campaign, first, run_block(campaign, first));
     const auto changed = [](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);
     };
-    const auto refused = [&](const std::string& text) {
-        Results again(results.campaign());
-        CHECK_THROWS_AS(again.add(text, "file"), Refused);
-    };
-    refused("");
-    refused(changed(header, "\"seed\":1", "\"seed\":2") + line);
-    refused(header + "{}\n");
-    refused(header + "nothing\n");
-    refused(header + changed(line, "\"block\":0", "\"block\":1000"));
-    refused(header + changed(line, "\"runs\":1", "\"runs\":-1"));
-    refused(header + changed(line, "moved", "swept"));
-    refused(header + line + changed(line, "\"runs\":1", "\"runs\":2"));
-    Results again(results.campaign());
-    again.add(header + line + line, "file");
-    CHECK_MESSAGE(again.missing() + 1 == again.blocks().size(), "told twice alike, a block counts once");
-}
-
-TEST_CASE("A campaign with an unknown name is refused") {
-    CHECK_THROWS_WITH_AS(Results({1, 1, {"cubes"}, {"double"}, {"zbuffer"}}), "there is no family cubes", Refused);
-    CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"half"}, {"zbuffer"}}), "there is no kernel half", Refused);
-    CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"double"}, {"painter"}}), "there is no method painter", Refused);
-}
-
-TEST_CASE("Journal: continues after the last whole line that a killed run left") {
-    for (const std::string left : {"", "fir", "first\n", "first\nsecond\n", "first\nsecond\nthi"}) {
-        const TemporaryFile file(left);
-        const std::string whole_lines = left.find('\n') == left.npos ? "first\n" : left.substr(0, left.rfind('\n') + 1);
-        {
-            Journal journal(file.name, "first\n");
-            CHECK(journal.text() == whole_lines);
-            journal.append("another\n");
+    const Workplace work;
+    const std::string right = work.write("right", header + line);
+    const auto refusal = [&](const std::string& text) -> std::string {
+        const std::string file = work.write("file", text);
+        try {
+            merged({right, file}, nullptr);
+        } catch (const Refused& refused) {
+            return std::string(refused.what()).substr(file.size());
         }
-        CHECK(read_file(file.name) == whole_lines + "another\n");
+        return "none";
+    };
+    const std::string no_line = ": not a line of vidno-stability/1, or a block that came out otherwise before";
+    CHECK(refusal("") == ":1" + no_line);
+    CHECK(refusal(changed(header, "\"seed\":1", "\"seed\":2") + line) == ": belongs to another campaign");
+    CHECK(refusal(changed(header, "1.0.0", "1.0.1") + line) ==
+          ": was made by version 1.0.1, not 1.0.0; results of different versions are not added");
+    CHECK(refusal(header + "{}\n") == ":2" + no_line);
+    CHECK(refusal(header + "nothing\n") == ":2" + no_line);
+    CHECK(refusal(header + changed(line, "\"block\":0", "\"block\":1000")) == ":2" + no_line);
+    CHECK(refusal(header + changed(line, "\"runs\":1", "\"runs\":-1")) == ":2" + no_line);
+    CHECK(refusal(header + changed(line, "moved", "swept")) == ":2" + no_line);
+    CHECK(refusal(header + changed(line, "\"runs\":1", "\"runs\":2")) == ":2" + no_line);
+    CHECK(refusal(header + line + line) == "none");
+}
+
+TEST_CASE("A block keeps the first failing trials, and each of them fails again alone") {
+    const Campaign campaign{"1.0.0", 1, 100, {"edges"}, {"float"}, {"zbuffer"}};
+    const Family& family = family_of("edges");
+    const Experiment& moved = experiment_of("moved-1");
+    std::vector<std::uint64_t> failing;
+    for (std::uint64_t trial = 0; trial < campaign.count; ++trial) {
+        const auto scenes = std::get<std::vector<AdmittedScene>>(scenes_of(campaign.seed, family, moved, trial));
+        const Picture right = picture_of(scenes.front(), Method::zbuffer, "exact");
+        if (different_pixels(picture_of(scenes.front(), Method::zbuffer, "float"), right) > 0) failing.push_back(trial);
+    }
+    REQUIRE(failing.size() > most_failing);
+    failing.resize(most_failing);
+    const Blocks blocks(campaign);
+    for (std::uint64_t number = 0; number < blocks.size(); ++number) {
+        if (blocks.at(number).experiment == &moved)
+            CHECK(run_block(campaign, blocks.at(number)).front().failing == failing);
     }
 }
 
+TEST_CASE("A campaign with an unknown name is refused") {
+    CHECK_THROWS_WITH_AS(Results({"1.0.0", 1, 1, {"cubes"}, {"double"}, {"zbuffer"}}), "there is no family cubes",
+                         Refused);
+    CHECK_THROWS_WITH_AS(Results({"1.0.0", 1, 1, {"edges"}, {"half"}, {"zbuffer"}}), "there is no kernel half",
+                         Refused);
+    CHECK_THROWS_WITH_AS(Results({"1.0.0", 1, 1, {"edges"}, {"double"}, {"painter"}}), "there is no method painter",
+                         Refused);
+}
+
+TEST_CASE("Journal: continues after the last whole line that a killed run left") {
+    const Workplace work;
+    for (const std::string left : {"", "fir", "first\n", "first\nsecond\n", "first\nsecond\nthi"}) {
+        const std::string file = work.write("journal", left);
+        const std::string whole_lines = left.find('\n') == left.npos ? "first\n" : left.substr(0, left.rfind('\n') + 1);
+        Journal(file, "first\n").append("another\n");
+        CHECK(work.read("journal") == whole_lines + "another\n");
+    }
+}
+
+TEST_CASE("Journal: a partial line that is longer than what is read at a time is dropped") {
+    const Workplace work;
+    const std::string file = work.write("journal", "first\nsecond\n" + std::string(200'000, 'x'));
+    Journal(file, "first\n").append("third\n");
+    CHECK(work.read("journal") == "first\nsecond\nthird\n");
+}
+
 TEST_CASE("Journal: a file with another first line is refused and does not change") {
+    const Workplace work;
     for (const std::string other : {"second\n", "no line", "first, but longer"}) {
-        const TemporaryFile file(other);
-        CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
-        CHECK(read_file(file.name) == other);
+        const std::string file = work.write("journal", other);
+        CHECK_THROWS_AS(Journal(file, "first\n"), Refused);
+        CHECK(work.read("journal") == other);
     }
 }
 
 TEST_CASE("Journal: two runs do not write one file") {
-    const TemporaryFile file("");
-    const Journal journal(file.name, "first\n");
-    CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
+    const Workplace work;
+    const Journal journal(work.file("journal"), "first\n");
+    CHECK_THROWS_AS(Journal(work.file("journal"), "first\n"), Refused);
+}
+
+TEST_CASE("Journal: a file system without locks is refused for what it is") {
+    const Workplace work;
+    const std::string file = work.file("journal");
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        // From here on, the system answers each request for a lock as a file system without locks does.
+        std::array<sock_filter, 4> rules{{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                                         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+                                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOLCK),
+                                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+        const sock_fprog all{rules.size(), rules.data()};
+        if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all) != 0)
+            _exit(3);
+        try {
+            const Journal journal(file, "first\n");
+        } catch (const Refused& refused) {
+            const std::string_view said = refused.what();
+            _exit(said.starts_with(file + ": cannot be locked (No locks available): put the results on a file system")
+                      ? 0
+                      : 1);
+        }
+        _exit(2);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK_MESSAGE(status == 0, "status of the child");
 }
 
 TEST_CASE("Touching: a vertex of the second triangle lies on an edge of the first, exactly") {
@@ -320,7 +439,8 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
     std::vector<std::string> methods(method_names.begin(), method_names.end());
     methods.emplace_back("floating-horizon");
     constexpr std::uint64_t trials = 4;
-    const Results results = whole({5,
+    const Results results = whole({"1.0.0",
+                                   5,
                                    trials,
                                    {"touching", "shared-edges", "octants", "horizon-ties", "crossing-curves"},
                                    {"double", "filtered", "exact"},
@@ -359,8 +479,9 @@ TEST_CASE("Shrinking keeps only the curves, samples and binary places that a pro
 }
 
 TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows, and right under filtered") {
-    const Campaign campaign{1, 40, {"horizon-ties"}, {"float"}, {"floating-horizon"}};
-    const auto text = witness(campaign, family_of("horizon-ties"), "floating-horizon", "float", [] {});
+    const Campaign campaign{"1.0.0", 1, 40, {"horizon-ties"}, {"float"}, {"floating-horizon"}};
+    const auto text =
+        witness(campaign, family_of("horizon-ties"), experiment_of("moved-1"), 0, "floating-horizon", "float", [] {});
     REQUIRE(text);
     const Failure failure = read_failure(*text, "witness.json");
     const auto& curves = std::get<Surface>(*failure.scene).curves;

@@ -1,21 +1,30 @@
-#include "stability/stability.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <iomanip>
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <thread>
 
+#include "check/check.h"
 #include "choice/method.h"
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
+#include "cli/shared/shard.h"
 #include "counted.h"
+#include "json/document_format.h"
 #include "output.h"
+#include "scene/scene_json.h"
+#include "scene/surface.h"
 #include "stability/journal.h"
+#include "stability/results.h"
+#include "stability/script.h"
 #include "stability/witness.h"
 
 namespace vidno::cli {
@@ -24,28 +33,10 @@ namespace {
 
 struct StabilityOptions {
     Campaign campaign;
-    std::string shard = "1/1", output, witnesses;
+    std::string shard = "1/1", output, witnesses, trial, script;
+    std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency()), tasks = 0, extended = 0;
     std::vector<std::string> merged;
 };
-
-/// Shard `number` of `of` shards, from 1: it takes every `of`-th block.
-struct Shard {
-    std::uint64_t number, of;
-
-    bool has(const Block& block) const { return block.number % of == number - 1; }
-};
-
-Shard shard_from(const std::string& text) {
-    std::istringstream in(text);
-    Shard shard{};
-    char slash = 0;
-    in >> shard.number >> slash >> shard.of;
-    const bool two_numbers = text.find_first_not_of("0123456789/") == std::string::npos && in && in.eof();
-    if (!two_numbers || slash != '/' || shard.number < 1 || shard.number > shard.of) {
-        throw Refused("--shard " + text + ": not K/N, where 1 <= K <= N");
-    }
-    return shard;
-}
 
 void expect_runs(const NamedKernel& kernel, const std::vector<std::string>& methods) {
     for (const auto& method : methods) {
@@ -70,6 +61,7 @@ Campaign with_defaults(Campaign campaign) {
             for (const auto& family : curve_families) campaign.families.emplace_back(family.name);
         }
     }
+    campaign.version = VIDNO_VERSION;
     if (campaign.kernels.empty()) campaign.kernels = {"float", "double", "filtered"};
     if (campaign.methods.empty()) campaign.methods.assign(course_method_names.begin(), course_method_names.end());
     if (of_all) campaign.methods = all_methods();
@@ -158,6 +150,25 @@ void print_skipped(const Results& results) {
     }
 }
 
+/// The first failing trial of each family, kernel and method.
+void print_failing(const Results& results) {
+    const Campaign& campaign = results.campaign();
+    std::ostringstream text;
+    for (const auto& family : campaign.families) {
+        for (std::size_t i = 0; i < tallies_of(campaign); ++i) {
+            const auto fails = [&](const Experiment& each) { return !results.sum(family, each)[i].failing.empty(); };
+            const auto* first = std::find_if(experiments.begin(), experiments.end(), fails);
+            if (first == experiments.end()) continue;
+            text << "  --kernel " << std::left << std::setw(10) << campaign.kernels[i / campaign.methods.size()]
+                 << "--method " << std::setw(17) << campaign.methods[i % campaign.methods.size()] << "--trial "
+                 << family << ':' << name_of(*first) << ':' << results.sum(family, *first)[i].failing.front() << '\n';
+        }
+    }
+    if (text.str().empty()) return;
+    std::cout << "\nfirst failing trials (vidno stability --seed " << campaign.seed << " ... runs one again)\n"
+              << text.str();
+}
+
 void print(const Results& results) {
     using enum Experiment::Kind;
     const auto rate = [](std::uint64_t Tally::*part, std::uint64_t Tally::*whole) {
@@ -172,6 +183,7 @@ void print(const Results& results) {
     print(results, changed, "pixels in per cent that are not invariant", rate(&Tally::flickers, &Tally::steady));
     print(results, grown, "windows of Warnock's algorithm, area and scene grown to N pixels a side", windows_of);
     print_skipped(results);
+    print_failing(results);
 }
 
 int verdict(const Results& results) {
@@ -185,21 +197,18 @@ void write_witnesses(const Results& results, const std::string& folder) {
     const Campaign& campaign = results.campaign();
     std::filesystem::create_directories(folder);
     for (const auto& name : campaign.families) {
-        const Family& family = family_of(name);
-        std::vector<Tallies> sums;
-        for (const auto& experiment : experiments) {
-            if (experiment.kind == Experiment::Kind::moved) sums.push_back(results.sum(name, experiment));
-        }
-        for (std::size_t i = 0; i < sums.front().size(); ++i) {
-            if (std::none_of(sums.begin(), sums.end(), [&](const Tallies& sum) { return sum[i].wrong_runs > 0; }))
-                continue;
+        for (std::size_t i = 0; i < tallies_of(campaign); ++i) {
+            const auto is_wrong = [&](const Experiment& each) {
+                return each.kind == Experiment::Kind::moved && results.sum(name, each)[i].wrong_runs > 0;
+            };
+            const auto* experiment = std::find_if(experiments.begin(), experiments.end(), is_wrong);
             const std::string& kernel = campaign.kernels[i / campaign.methods.size()];
             const std::string& method = campaign.methods[i % campaign.methods.size()];
-            const NamedKernel named = *kernel_named(kernel);
-            if (named.snaps()) continue;
+            if (experiment == experiments.end() || kernel_named(kernel)->snaps()) continue;
+            const auto& failing = results.sum(name, *experiment)[i].failing;
             Progress progress("scenes tried for " + name + ", " + method + ", " + kernel);
-            const auto failure =
-                witness(campaign, family, method, kernel, [&, tried = 0ULL]() mutable { progress.show(++tried); });
+            const auto failure = witness(campaign, family_of(name), *experiment, failing.empty() ? 0 : failing.front(),
+                                         method, kernel, [&, tried = 0ULL]() mutable { progress.show(++tried); });
             progress.clear();
             if (!failure) continue;
             const std::string file = folder + "/" + name + "." + method + "." + kernel + ".json";
@@ -210,17 +219,132 @@ void write_witnesses(const Results& results, const std::string& folder) {
 }
 
 int merge(const StabilityOptions& options) {
-    const Results results = Results::merged(options.merged);
-    if (!options.output.empty()) {
-        OutputFile file(options.output);
-        file.write(results.text());
-        file.commit();
-    }
+    std::optional<OutputFile> file;
+    if (!options.output.empty()) file.emplace(options.output);
+    const Results results = merged(options.merged, file ? &*file : nullptr);
+    if (file) file->commit();
     print(results);
+    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses);
     const int status = verdict(results);
     if (results.missing() == 0) return status;
-    std::cerr << "blocks missing: " << results.missing() << " of " << results.blocks().size() << '\n';
+    std::cerr << "blocks missing: " << results.missing() << " of " << results.blocks().all() << '\n';
     return 1;
+}
+
+// ------------------------------------------------------------------------------------- one trial
+
+/// A trial by its name, FAMILY:EXPERIMENT:N.
+struct NamedTrial {
+    const Family* family;
+    const Experiment* experiment;
+    std::uint64_t number;
+};
+
+NamedTrial trial_from(const std::string& text) {
+    std::istringstream in(text);
+    std::string family, experiment, number;
+    std::getline(in, family, ':');
+    std::getline(in, experiment, ':');
+    std::getline(in, number);
+    if (number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos) {
+        throw Refused("--trial " + text + ": not FAMILY:EXPERIMENT:N, such as slivers:moved-1:42");
+    }
+    return {&family_of(family), &experiment_of(experiment), std::stoull(number)};
+}
+
+/// The scene of a series that shows the failure: the first that a kernel and method of the campaign paint wrong, otherwise the first.
+std::size_t shown_of(const std::vector<AdmittedScene>& series, const Campaign& campaign, const Tallies& tallies) {
+    for (std::size_t i = 0; i < tallies.size(); ++i) {
+        if (tallies[i].wrong_pixels == 0) continue;
+        const Method method = Method(place_in(method_names, campaign.methods[i % campaign.methods.size()]));
+        const NamedKernel kernel = *kernel_named(campaign.kernels[i / campaign.methods.size()]);
+        for (std::size_t scene = 0; scene < series.size(); ++scene) {
+            const Picture painted = run({method, kernel, Edition::corrected, series[scene]});
+            if (different_pixels(painted, right_picture(series[scene], method)) > 0) return scene;
+        }
+    }
+    return 0;
+}
+
+/// Runs a trial again, says what each kernel and method made of it, and writes its scene.
+int run_again(const StabilityOptions& options) {
+    const NamedTrial trial = trial_from(options.trial);
+    const Campaign campaign =
+        options.merged.empty() ? with_defaults(options.campaign) : campaign_in(options.merged.front());
+    const TrialScenes scenes = scenes_of(campaign.seed, *trial.family, *trial.experiment, trial.number);
+    const Tallies tallies = run_trial(campaign, *trial.family, *trial.experiment, trial.number);
+    for (std::size_t i = 0; i < tallies.size(); ++i) {
+        const Tally& tally = tallies[i];
+        if (tally.runs == 0) continue;
+        std::cout << std::left << std::setw(10) << campaign.kernels[i / campaign.methods.size()] << std::setw(17)
+                  << campaign.methods[i % campaign.methods.size()] << std::right;
+        if (trial.experiment->kind == Experiment::Kind::grown) {
+            std::cout << counted(tally.windows, "window", "windows") << '\n';
+            continue;
+        }
+        std::cout << "wrong pixels " << tally.wrong_pixels << " of " << tally.pixels;
+        if (tally.decisions > 0)
+            std::cout << ", wrong decisions " << tally.wrong_decisions << " of " << tally.decisions;
+        if (tally.steady > 0) std::cout << ", pixels that flicker " << tally.flickers << " of " << tally.steady;
+        std::cout << '\n';
+    }
+    if (options.output.empty()) return 0;
+    if (const auto* curves = std::get_if<AdmittedCurves>(&scenes)) {
+        write_file(options.output, surface_json({options.trial, *curves}));
+        return 0;
+    }
+    const auto& series = std::get<std::vector<AdmittedScene>>(scenes);
+    const std::size_t shown = shown_of(series, campaign, tallies);
+    write_file(options.output, scene_json(series[shown]));
+    if (series.size() > 1) std::cout << options.output << ": scene " << shown + 1 << " of " << series.size() << '\n';
+    return 0;
+}
+
+// ------------------------------------------------------------------------------------- a campaign
+
+int write_script(const StabilityOptions& options) {
+    if (options.output.empty()) throw Refused("--script: say by -o where the results shall be");
+    Distribution of{with_defaults(options.campaign), options.output, options.tasks, 0};
+    const double seconds = seconds_of(of.campaign);
+    constexpr double of_a_task = 300,
+                     most = 1000;  // a site of Slurm allows arrays of 1000 tasks unless it says otherwise
+    if (of.tasks == 0) of.tasks = std::uint64_t(std::clamp(std::ceil(seconds / of_a_task), 1., most));
+    of.seconds = seconds / double(of.tasks);
+    std::cout << (options.script == "slurm" ? slurm_script(of) : parallel_script(of));
+    return 0;
+}
+
+/// The campaign of a file that is continued, or else a new one.
+Campaign campaign_of(const StabilityOptions& options) {
+    if (options.extended > 0) {
+        if (options.output.empty()) throw Refused("--extend: say by -o which file to extend");
+        extend(options.output, options.extended);
+        return campaign_in(options.output);
+    }
+    Campaign campaign = with_defaults(options.campaign);
+    // A file from before files named the version is continued as it began.
+    const auto names_no_version = [&] {
+        LineReader lines(options.output);
+        std::string line;
+        return lines.next(line) && document_format(line) == results_format &&
+               campaign_in(options.output).version.empty();
+    };
+    if (!options.output.empty() && std::filesystem::is_regular_file(options.output) && names_no_version())
+        campaign.version.clear();
+    return campaign;
+}
+
+/// Runs blocks, several at once, and calls `use(block, tallies)` for each in their order.
+void run_blocks(const Campaign& campaign, const std::vector<Block>& blocks, std::size_t jobs, const auto& use) {
+    std::deque<std::future<Tallies>> running;
+    std::size_t begun = 0;
+    for (const Block& block : blocks) {
+        while (begun < blocks.size() && running.size() < jobs) {
+            running.push_back(std::async(std::launch::async, run_block, std::cref(campaign), blocks[begun++]));
+        }
+        use(block, running.front().get());
+        running.pop_front();
+    }
 }
 
 /// The families and experiments of campaigns, for the help.
@@ -248,31 +372,37 @@ Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --m
 other kernels are results, not failures.
 Examples:
   vidno stability --count 1000 -o all.jsonl
-  parallel vidno stability --count 1000 --shard {}/8 -o part{}.jsonl ::: 1 2 3 4 5 6 7 8
-  vidno stability --merge part?.jsonl -o all.jsonl
+  vidno stability --count 1000000 --script slurm -o all.jsonl > campaign.sh   (bash campaign.sh on the cluster)
+  vidno stability --merge all.jsonl.parts/*.jsonl -o all.jsonl
+  vidno stability --extend 2000 -o all.jsonl
+  vidno stability --trial slivers:moved-1:42 --kernel float -o scene.json
   vidno stability --method all --family all --count 20 --witnesses found      (each opens in the page))";
     return text.str();
 }
 
 int stability(const StabilityOptions& options) {
+    if (!options.trial.empty()) return run_again(options);
     if (!options.merged.empty()) return merge(options);
+    if (!options.script.empty()) return write_script(options);
     const Shard shard = shard_from(options.shard);
-    Results results(with_defaults(options.campaign));
+    Results results(campaign_of(options));
     std::optional<Journal> journal;
     if (!options.output.empty()) {
-        journal.emplace(options.output, results.header());
-        results.add(journal->text(), options.output);
+        journal.emplace(options.output, header_of(results.campaign()));
+        results.add_file(options.output);
     }
     std::vector<Block> blocks;
-    for (const auto& block : results.blocks()) {
-        if (shard.has(block) && !results.has(block)) blocks.push_back(block);
+    for (std::uint64_t number = 0; number < results.blocks().size(); ++number) {
+        const Block block = results.blocks().at(number);
+        if (shard.has(number) && !results.has(block)) blocks.push_back(block);
     }
     Progress progress("blocks");
-    for (std::size_t done = 0; done < blocks.size(); ++done) {
-        progress.show(done, blocks.size());
-        results.add(blocks[done], run_block(results.campaign(), blocks[done]));
-        if (journal) journal->append(results.line(blocks[done]));
-    }
+    std::size_t done = 0;
+    run_blocks(results.campaign(), blocks, options.jobs, [&](const Block& block, const Tallies& tallies) {
+        results.add(block, tallies);
+        if (journal) journal->append(line_of(results.campaign(), block, tallies));
+        progress.show(++done, blocks.size());
+    });
     progress.clear();
     print(results);
     if (!options.witnesses.empty()) write_witnesses(results, options.witnesses);
@@ -300,16 +430,41 @@ void add_stability(CLI::App& program, int& status) {
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();
     command.add_option("--seed", campaign.seed, "The seed; another seed gives other scenes")->capture_default_str();
-    command.add_option("--shard", options->shard, "K/N: run only every N-th block of trials, from the K-th");
+    auto* shard = command.add_option("--shard", options->shard,
+                                     "K/N: run only every N-th block of trials, from the K-th; auto: as the task of "
+                                     "an array of Slurm says");
+    auto* jobs = command.add_option("--jobs", options->jobs, "How many blocks to run at a time [one for each core]")
+                     ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1024}));
+    auto* extend = command
+                       .add_option("--extend", options->extended,
+                                   "Continue the campaign in the file of -o with more trials: this many in all")
+                       ->check(CLI::Range(std::uint64_t{1}, most_trials));
+    auto* trial = command.add_option("--trial", options->trial,
+                                     "FAMILY:EXPERIMENT:N, such as slivers:moved-2^8:42: run this trial alone, and "
+                                     "write its scene to the file of -o");
+    auto* script = command
+                       .add_option("--script", options->script,
+                                   "Print a script that runs the campaign on many machines and merges it into the "
+                                   "file of -o: slurm or parallel")
+                       ->check(CLI::IsMember({"slurm", "parallel"}));
+    command.add_option("--tasks", options->tasks, "The tasks of the script [as many as take five minutes each]")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000}))
+        ->needs(script);
     auto* merge = command.add_option("--merge", options->merged, "Merge result files instead of running a campaign");
     command.add_option("-o", options->output,
                        "Keep the results, .jsonl; an interrupted campaign continues where it stopped");
     command.add_option(
         "--witnesses", options->witnesses,
         "A folder for failures: the smallest scene of each family on which a method and kernel paint a wrong pixel");
-    for (const char* of_run : {"--witnesses", "--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
+    for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed"}) {
         merge->excludes(of_run);
+        extend->excludes(of_run);
     }
+    for (auto* of_run : {shard, jobs, extend, script}) {
+        merge->excludes(of_run);
+        trial->excludes(of_run);
+    }
+    for (auto* of_run : {shard, jobs, extend}) script->excludes(of_run);
     command.footer(footer());
     command.callback([options, &status] { status = stability(*options); });
 }

@@ -230,6 +230,9 @@ const std::array<Experiment, 21> experiments{{
 Tally& Tally::operator+=(const Tally& other) {
     for (const auto& [name, value] : tally_fields) this->*value += other.*value;
     skipped += other.skipped;
+    const auto middle = failing.insert(failing.end(), other.failing.begin(), other.failing.end());
+    std::inplace_merge(failing.begin(), middle, failing.end());
+    failing.resize(std::min(failing.size(), most_failing));
     return *this;
 }
 

@@ -20,13 +20,17 @@ struct Tally {
     std::uint64_t steady = 0, flickers = 0;  // pixels that should not change from one scene to the next; that do
     std::uint64_t windows = 0;               // of Warnock's algorithm
     std::uint64_t skipped = 0;               // trials with a scene that the kernel cannot take
+    std::vector<std::uint64_t>
+        failing;  // the first trials with a wrong pixel, or one that flickers: at most `most_failing`
 
     Tally& operator+=(const Tally& other);
     bool all_right() const { return wrong_pixels + wrong_decisions + flickers == 0; }
     bool operator==(const Tally&) const = default;
 };
 
-/// By the names used in files, which have `skipped` only where it is not 0.
+inline constexpr std::size_t most_failing = 4;
+
+/// By the names used in files, which have `skipped` only where it is not 0, and `failing` where there are some.
 struct TallyField {
     std::string_view name;
     std::uint64_t Tally::*value;

@@ -71,8 +71,9 @@ std::string failure_of(const std::string& scene, const Family& family, const std
 
 }  // namespace
 
-std::optional<std::string> witness(const Campaign& campaign, const Family& family, const std::string& method,
-                                   const std::string& kernel, const std::function<void()>& progress) {
+std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
+                                   std::uint64_t first, const std::string& method, const std::string& kernel,
+                                   const std::function<void()>& progress) {
     const NamedKernel named = *kernel_named(kernel);
     const auto tried = std::find(method_names.begin(), method_names.end(), method);
     const auto of_scene = [&](const AdmittedScene& scene) {
@@ -83,24 +84,22 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
         progress();
         return wrong_column(scene, named);
     };
-    std::optional<std::string> found;
-    for_each_moved(campaign, family, [&](const AnyMoved& moved) {
-        if (const auto* curves = std::get_if<AdmittedCurves>(&moved)) {
-            if (!of_curves(*curves)) return false;
+    for (std::uint64_t trial = first; trial < campaign.count; ++trial) {
+        const TrialScenes scenes = scenes_of(campaign.seed, family, experiment, trial);
+        if (const auto* curves = std::get_if<AdmittedCurves>(&scenes)) {
+            if (!of_curves(*curves)) continue;
             const AdmittedCurves smallest =
                 shrunk(*curves, [&](const AdmittedCurves& smaller) { return of_curves(smaller).has_value(); });
-            found = failure_of(surface_json({std::string(family.name), smallest}), family, method, kernel, "column",
-                               *of_curves(smallest));
-        } else {
-            const auto& scene = std::get<AdmittedScene>(moved);
-            if (!of_scene(scene)) return false;
-            const AdmittedScene smallest =
-                shrunk(scene, [&](const AdmittedScene& smaller) { return of_scene(smaller).has_value(); });
-            found = failure_of(scene_json(smallest), family, method, kernel, "pixel", *of_scene(smallest));
+            return failure_of(surface_json({std::string(family.name), smallest}), family, method, kernel, "column",
+                              *of_curves(smallest));
         }
-        return true;
-    });
-    return found;
+        const AdmittedScene& scene = std::get<std::vector<AdmittedScene>>(scenes).front();
+        if (!of_scene(scene)) continue;
+        const AdmittedScene smallest =
+            shrunk(scene, [&](const AdmittedScene& smaller) { return of_scene(smaller).has_value(); });
+        return failure_of(scene_json(smallest), family, method, kernel, "pixel", *of_scene(smallest));
+    }
+    return std::nullopt;
 }
 
 }  // namespace vidno

@@ -5,14 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "stability/stability.h"
+#include "stability/campaign.h"
 
 namespace vidno {
 
-/// Finds the first trial of a campaign that moves coordinates so that the method paints a wrong pixel or draws a wrong column of a curve.
-/// It is shrunk and returned as the text of a file `vidno-failure/1`; none if there is no such trial. `method` and `kernel` are names in
-/// the campaign; `progress` is called at each scene that is run.
-std::optional<std::string> witness(const Campaign& campaign, const Family& family, const std::string& method,
-                                   const std::string& kernel, const std::function<void()>& progress);
+/// Takes the first failing trial, from `first` on, of an experiment that moves coordinates: the method paints a wrong pixel, or draws a wrong
+/// column of a curve. Its scene is shrunk and returned as the text of a file `vidno-failure/1`; none if there is no such trial. `method` and
+/// `kernel` are names in the campaign; `progress` is called at each scene that is run.
+std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
+                                   std::uint64_t first, const std::string& method, const std::string& kernel,
+                                   const std::function<void()>& progress);
 
 }  // namespace vidno
