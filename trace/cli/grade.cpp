@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
+#include <thread>
 
 #include "characters.h"
 #include "cli/commands.h"
+#include "cli/shared/processes.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
+#include "cli/shared/shard.h"
 #include "cli/shared/trace_files.h"
 #include "grade/report.h"
 #include "grade/scenes.h"
+#include "grade/table.h"
 #include "output.h"
 #include "page/page.h"
 #include "run/write_trace.h"
@@ -26,10 +31,13 @@ enum class HandedIn : unsigned char { program, trace, folder };
 
 struct GradeOptions {
     std::string program, output;      // or a trace, or a folder; the output may be empty
+    std::vector<std::string> merged;  // tables, instead of a program
     std::vector<std::string> scenes;  // none: those of the program
     int seconds = 10, memory = 512, written = 64, processes = 64;
     int random = 8;
     unsigned seed = 1;
+    std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    std::string shard = "1/1";
     std::string detail{detail_names[0]}, language{language_codes[0]};
     bool no_sandbox = false, first = false;
 
@@ -269,58 +277,100 @@ bool page_is_built() {
     }
 }
 
-/// Writes a report of each program into the folder named like the table without its extension, and a page of each wrong one if the page
-/// was built.
-int grade_folder(const GradeOptions& options, const Grading& grading) {
-    const std::vector<Entry> programs = programs_in(options.program);
-    const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
-    std::filesystem::create_directories(reports);
-    const ScenesToGrade scenes = scenes_of(options);
-    print_seed(options, grading.say);
-    const Patience patience{100, std::chrono::seconds(5)};
-    const bool has_page = page_is_built();
-    std::vector<TableRow> rows;
-    for (const auto& [program, refused] : programs) {
-        TableRow row{escaped_for_terminal(program.filename().string()), std::nullopt, {}};
-        const std::string report = (reports / program.filename()).string();
-        std::string text;
-        try {
-            if (!refused.empty()) throw Refused(refused);
-            ProgramGrade grade = grade_program(program, scenes, grading, [](std::size_t) {});
-            row.reason = mute(grade);
-            if (row.reason.empty()) {
-                text = report_of(grade, grading);
-                const SceneGrade* first = grade.first_wrong();
-                if (first && first->run.header) {
-                    const SceneGrade smallest = smallest_of(program.string(), grade, grading, patience);
-                    text += report_of_smallest(smallest, grading);
-                    if (has_page) write_new(report + ".html", page_of(smallest, grading.say));
-                }
-                row.grade = std::move(grade);
-            }
-        } catch (const Refused& reason) {
-            row.reason = escaped_for_terminal(reason.what());
-            row.grade.reset();
+/// Exit status 0 if every program is right.
+int write_table(std::vector<TableLine> lines, const std::string& file) {
+    const bool all_right = std::ranges::all_of(lines, &TableLine::is_right);
+    write_new(file, table_of(std::move(lines), *table_format_of(file)));
+    return all_right ? 0 : 1;
+}
+
+/// What a folder's programs are graded on, and where their reports go.
+struct FolderGrading {
+    const Grading& grading;
+    ScenesToGrade scenes;
+    std::filesystem::path reports;
+    TableFormat format;
+    bool has_page;
+};
+
+/// The grade of a program, and the sentence on it that is printed.
+struct Graded {
+    TableLine line;
+    std::string said;
+};
+
+/// Grades a program and writes its report, and a page if it is wrong and the page was built.
+Graded grade_entry(const Entry& entry, const FolderGrading& of) {
+    const Grading& grading = of.grading;
+    const std::string name = escaped_for_terminal(entry.file.filename().string());
+    const std::string report = (of.reports / entry.file.filename()).string();
+    std::string reason = entry.refused;
+    try {
+        if (!reason.empty()) throw Refused(reason);
+        const ProgramGrade grade = grade_program(entry.file, of.scenes, grading, [](std::size_t) {});
+        if (reason = mute(grade); !reason.empty()) throw Refused(reason);
+        std::string text = report_of(grade, grading);
+        const SceneGrade* first = grade.first_wrong();
+        if (first && first->run.header) {
+            const Patience patience{100, std::chrono::seconds(5)};
+            const SceneGrade smallest = smallest_of(entry.file.string(), grade, grading, patience);
+            text += report_of_smallest(smallest, grading);
+            if (of.has_page) write_new(report + ".html", page_of(smallest, grading.say));
         }
-        write_new(report + ".txt", row.grade ? text : row.reason + '\n');
-        std::cout << "  " << row.program << ": "
-                  << (!row.grade           ? row.reason
-                      : row.grade->right() ? grading.say({"right", "верно"})
-                                           : grading.say({"wrong on {} of {}", "неверно на сценах: {} из {}"},
-                                                         row.grade->wrong(), row.grade->scenes.size()))
-                  << '\n';
-        rows.push_back(std::move(row));
+        write_new(report + ".txt", text);
+        return {line_of(name, grade, of.format, grading.say),
+                grade.right() ? grading.say({"right", "верно"})
+                              : grading.say({"wrong on {} of {}", "неверно на сценах: {} из {}"}, grade.wrong(),
+                                            grade.scenes.size())};
+    } catch (const Refused& refused) {
+        reason = escaped_for_terminal(refused.what());
+        write_new(report + ".txt", reason + '\n');
+        return {line_of(name, reason, of.format), reason};
     }
-    write_new(options.output,
-              options.output.ends_with(".csv") ? table_as_csv(rows, grading.say) : table_as_json(rows, grading.say));
-    const auto is_right = [](const TableRow& row) { return row.grade && row.grade->right(); };
-    return std::all_of(rows.begin(), rows.end(), is_right) ? 0 : 1;
+}
+
+/// Writes a report of each program into the folder named like the table without its extension.
+int grade_folder(const GradeOptions& options, const Grading& grading) {
+    std::vector<Entry> programs = programs_in(options.program);
+    const auto [number, shards] = shard_from(options.shard);
+    std::vector<Entry> own;
+    for (std::size_t i = number - 1; i < programs.size(); i += shards) own.push_back(std::move(programs[i]));
+    const FolderGrading of{grading, scenes_of(options), std::filesystem::path(options.output).replace_extension(),
+                           *table_format_of(options.output), page_is_built()};
+    std::filesystem::create_directories(of.reports);
+    print_seed(options, grading.say);
+    std::vector<TableLine> lines;
+    in_processes(
+        options.jobs, own.size(),
+        [&](std::size_t i) {
+            const Graded graded = grade_entry(own[i], of);
+            return Parts{graded.line.program, graded.line.text, graded.line.is_right ? "right" : "wrong", graded.said};
+        },
+        [&](Parts parts) {
+            std::cout << "  " << parts[0] << ": " << parts[3] << std::endl;
+            lines.push_back({std::move(parts[0]), std::move(parts[1]), parts[2] == "right"});
+        });
+    return write_table(std::move(lines), options.output);
+}
+
+int merge_tables(const GradeOptions& options) {
+    std::vector<TableLine> lines;
+    for (const std::string& file : options.merged) {
+        const auto format = table_format_of(file);
+        if (format != table_format_of(options.output)) throw Refused(file + ": not a table of the format of -o");
+        std::ranges::move(lines_of(read_text(file), *format, file), std::back_inserter(lines));
+    }
+    return write_table(std::move(lines), options.output);
 }
 
 int grade(const GradeOptions& options) {
-    const bool is_folder = options.handed_in() == HandedIn::folder;
-    if (is_folder && !options.output.ends_with(".csv") && !options.output.ends_with(".json"))
-        throw Refused(options.program + " is a folder, so -o must name a table, .csv or .json");
+    if (options.merged.empty() && options.program.empty())
+        throw Refused("name a program, a trace or a folder, or tables to --merge");
+    const bool is_folder = options.merged.empty() && options.handed_in() == HandedIn::folder;
+    if ((is_folder || !options.merged.empty()) && !table_format_of(options.output))
+        throw Refused((is_folder ? options.program + " is a folder, so -o" : "--merge: -o") +
+                      " must name a table, .csv or .json");
+    if (!options.merged.empty()) return merge_tables(options);
     if (!is_folder && !options.output.empty() && !options.output.ends_with(".html"))
         throw Refused(options.output + ": not .html");
     if (!is_folder && !options.output.empty())
@@ -335,12 +385,20 @@ void add_grade(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("grade", "Check each step of a student's program, or of its trace, for correctness");
     const auto options = std::make_shared<GradeOptions>();
-    command
-        .add_option(
-            "PROGRAM|TRACE|FOLDER", options->program,
-            "A program that writes a trace with lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
-            "or a folder of such programs")
-        ->required();
+    auto* program_option = command.add_option(
+        "PROGRAM|TRACE|FOLDER", options->program,
+        "A program that writes a trace with lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
+        "or a folder of such programs");
+    auto* jobs =
+        command
+            .add_option("--jobs", options->jobs, "How many programs of a folder to grade at a time [one for each core]")
+            ->check(CLI::Range(1, 1024));
+    auto* shard = command.add_option(
+        "--shard", options->shard,
+        "K/N: of a folder grade only every N-th program, from the K-th; auto: as the task of an array "
+        "of Slurm says");
+    auto* merge = command.add_option("--merge", options->merged, "Merge the tables of shards into the table of -o");
+    for (auto* of_run : {jobs, shard, program_option}) merge->excludes(of_run);
     command.add_option("--scenes", options->scenes, "Scene or surface files to run it on [a set of small ones]");
     command.add_option("--random", options->random, "The number of random scenes to add to that set")
         ->check(CLI::Range(0, 100000))
@@ -381,6 +439,7 @@ void add_grade(CLI::App& program, int& status) {
         "is said before any program runs; docs/grading.md has the details.\n"
         "Example: vidno grade ./warnock -o report.html\n"
         "Example: vidno grade homework/ --detail polygons -o table.csv\n"
+        "Example: vidno grade homework/ --shard 1/2 -o 1.csv; vidno grade --merge 1.csv 2.csv -o table.csv\n"
         "Exit status 1: something is wrong, or a required claim is missing.");
     command.callback([options, &status] { status = grade(*options); });
 }

@@ -274,7 +274,8 @@ public:
     /// After the end of all descendants.
     Ended result(const std::string& wanted) {
         read_output();
-        if (!is_ready_)
+        // Without a sandbox there is nothing to wait for: the program may have ended before that was seen.
+        if (in_a_sandbox_ && !is_ready_)
             throw Refused(said_.empty() ? "the sandbox cannot be created" : said_.substr(0, said_.find('\n')));
         const bool wrote_much = printed_ + written_in(folder_.number(), on_this_machine_) > limits_.written;
         if (!stopped_ && wrote_much) stopped_ = Ending::too_much_output;

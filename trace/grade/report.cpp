@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "characters.h"
 
@@ -170,18 +169,6 @@ std::string in_words(const Surface& surface, const Words& say) {
     return text;
 }
 
-constexpr std::array<std::string_view, 3> verdict_names{"right", "wrong", "not judged"};
-
-std::string_view verdict_of(const TableRow& row) {
-    if (!row.grade) return verdict_names[2];
-    return verdict_names[row.grade->right() ? 0 : 1];
-}
-
-std::string name_of(Deviation deviation) {
-    const DeviationChoice& choice = choice_of(deviation);
-    return std::string(choice.mistake.empty() ? choice.defect : choice.mistake);
-}
-
 }  // namespace
 
 std::string report_of(const ProgramGrade& grade, const Grading& grading) {
@@ -216,63 +203,6 @@ std::string report_of_smallest(const SceneGrade& smallest, const Grading& gradin
         say({"\nThe smallest scene that shows it:\n", "\nНаименьшая сцена, на которой это видно:\n"});
     const std::string scene = std::visit([&](const auto& each) { return in_words(each, say); }, smallest.scene);
     return without_controls(heading + scene + details_of(smallest, grading));
-}
-
-std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say) {
-    std::string text = "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told\n";
-    const auto cell = [](std::string value) {
-        for (std::size_t at = 0; (at = value.find('"', at)) != value.npos; at += 2) value.insert(at, 1, '"');
-        // A spreadsheet would take the cell for a formula.
-        if (!value.empty() && std::string_view("=+-@").find(value.front()) != std::string_view::npos)
-            value.insert(0, 1, '\'');
-        return '"' + value + '"';
-    };
-    for (const TableRow& row : rows) {
-        std::vector<std::string> cells{row.program, std::string(verdict_of(row))};
-        if (row.grade) {
-            const SceneGrade* first = row.grade->first_wrong();
-            const Wrong* wrong =
-                first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
-            cells.insert(cells.end(), {std::to_string(row.grade->scenes.size()), std::to_string(row.grade->wrong()),
-                                       first ? name_of(first->scene) : "", wrong ? std::to_string(wrong->step) : "",
-                                       wrong ? wrong->at : "", wrong ? wrong->told : "", wrong ? wrong->right : "",
-                                       row.grade->deviation ? name_of(*row.grade->deviation) : "",
-                                       in_words(row.grade->told, say), row.grade->missing});
-        } else {
-            cells.insert(cells.end(), {"", "", "", "", "", "", row.reason, "", "", ""});
-        }
-        std::string line;
-        for (const auto& each : cells) line += (line.empty() ? "" : ",") + cell(each);
-        text += without_controls(line) + '\n';
-    }
-    return text;
-}
-
-std::string table_as_json(const std::vector<TableRow>& rows, const Words& say) {
-    nlohmann::ordered_json table = nlohmann::ordered_json::array();
-    for (const TableRow& row : rows) {
-        nlohmann::ordered_json entry{{"program", row.program}, {"verdict", verdict_of(row)}};
-        if (!row.grade) {
-            entry["reason"] = row.reason;
-            table.push_back(entry);
-            continue;
-        }
-        entry["scenes"] = row.grade->scenes.size();
-        entry["wrong"] = row.grade->wrong();
-        if (const SceneGrade* first = row.grade->first_wrong()) {
-            entry["first"] = {{"scene", name_of(first->scene)}};
-            if (first->judgement && first->judgement->wrong) {
-                const Wrong& wrong = *first->judgement->wrong;
-                entry["first"].update(
-                    {{"step", wrong.step}, {"at", wrong.at}, {"says", wrong.told}, {"but", wrong.right}});
-            }
-        }
-        if (row.grade->deviation) entry["mistake"] = name_of(*row.grade->deviation);
-        for (const auto& [kind, count] : row.grade->told.counts) entry["told"][std::string(say.of(kind->name))] = count;
-        if (!row.grade->missing.empty()) entry["missing"] = row.grade->missing;
-        table.push_back(entry);
-    }
-    return table.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace vidno
