@@ -10,7 +10,6 @@
 #include <set>
 
 #include "characters.h"
-#include "figure/caption.h"
 #include "figure/notation.h"
 #include "figure/patches.h"
 #include "figure/table.h"
@@ -291,32 +290,34 @@ TEST_CASE("corners are named by their places on the screen, where y grows downwa
     CHECK(places_of({}, words) == "—");
 }
 
-TEST_CASE("a caption says what happens, and else what the line of the listing says") {
+TEST_CASE("a caption is the sentence of its step") {
     const TraceHeader header = header_of(near_before_far());
     CHECK(caption_of(Moment(header), Language::english) == "the run begins");
     auto events = a_division();
     events.push_back(event::Box{Line::PW3, {1}, {4., 4., 12., 12.}, true, {}});
-    CHECK(caption_of(after(header, events), Language::english) == "the box of B lies outside the window");
-    CHECK(caption_of(after(header, events), Language::russian) == "габарит B лежит вне окна");
+    CHECK(caption_of(after(header, events), Language::english) == "The box of B lies outside the window.");
+    CHECK(caption_of(after(header, events), Language::russian) == "Габаритный прямоугольник B лежит вне окна.");
     events.push_back(event::Call{Line::PW8, Procedure::surround_test});
     CHECK(caption_of(after(header, events), Language::english) ==
-          "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
+          "SurroundTest begins: does the point lie in the polygon?");
 }
 
-TEST_CASE("a caption says the sign of an edge at a corner") {
+TEST_CASE("a caption says on which side of an edge a corner lies") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.push_back(event::Orient{Line::S2, {1}, 2, {8., 16.}, -4., Sign::negative, {}});
-    CHECK(caption_of(after(header, events), Language::english) == "edge 2 of B has the sign − at (8, 16)");
-    CHECK(caption_of(after(header, events), Language::russian) == "знак ребра 2 у B в точке (8; 16): −");
+    CHECK(caption_of(after(header, events), Language::english) ==
+          "The point lies on the negative side of edge 2 of B (−4).");
+    CHECK(caption_of(after(header, events), Language::russian) ==
+          "Точка лежит по отрицательную сторону ребра 2 многоугольника B (−4).");
 }
 
 TEST_CASE("a caption writes numbers in the format of its language") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.push_back(event::Depth{Line::PC3, {1}, {4.5, 2.}, 0.125});
-    CHECK(caption_of(after(header, events), Language::english) == "B has z = 0.125 at (4.5, 2)");
-    CHECK(caption_of(after(header, events), Language::russian) == "z = 0,125 у B в точке (4,5; 2)");
+    CHECK(caption_of(after(header, events), Language::english) == "At the point (4.5, 2) B has depth 0.125.");
+    CHECK(caption_of(after(header, events), Language::russian) == "В точке (4,5; 2) глубина B равна 0,125.");
 }
 
 TEST_CASE("the letters of a strip's panels") {

@@ -23,4 +23,4 @@ export const last = <T>(list: readonly T[]): T => {
 };
 
 export const say = (entry: Entry, { trace }: History): string =>
-  sayEntry(entry, trace.header, 'en');
+  sayEntry(entry, trace, 'en');
