@@ -1,13 +1,16 @@
+import type { RegionTexts } from '../language/region-texts.js';
+import { toNumber } from '../language/words.js';
+import type { PluralForms, Words } from '../language/words.js';
 import { isShown, spot } from '../picture/mark.js';
 import type { Spot } from '../picture/mark.js';
-import type { Region } from './events.js';
+import type { Region } from '../trace/values.js';
 
 /**
  * Geometry of regions for drawing and texts, in doubles, which are accurate enough for display. The decisions of the run
  * are in its events.
  */
 
-export type Loops = readonly (readonly Spot[])[];
+type Loops = readonly (readonly Spot[])[];
 
 const known = new WeakMap<Region, Loops>();
 
@@ -42,7 +45,7 @@ export function areaOf(region: Region): number {
 }
 
 /** The bounding box of a region. */
-export interface Bounds {
+interface Bounds {
   readonly from: Spot;
   readonly to: Spot;
 }
@@ -112,4 +115,21 @@ function meetings(loops: Loops, across: (at: Spot) => number, at: number): reado
     met.push([from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]);
   });
   return met.sort(([x1], [x2]) => x1 - x2);
+}
+
+/** "8 vertices, 2 loops". */
+export function sized(
+  region: Region,
+  { vertices, loops }: Pick<RegionTexts, 'vertices' | 'loops'>,
+  counted: (n: number, forms: PluralForms) => string,
+): string {
+  const size = counted(verticesOf(region), vertices);
+  return region.length > 1 ? `${size}, ${counted(region.length, loops)}` : size;
+}
+
+/** The corners of a region's bounding box, after a comma; empty if rounding has made a vertex non-finite. */
+export function boxOf(region: Region, { point }: Pick<Words, 'point'>): string {
+  const { from, to } = boundsOf(region);
+  const isSomewhere = region.flat(2).every((value) => Number.isFinite(toNumber(value)));
+  return isSomewhere ? `, ${point(from)} – ${point(to)}` : '';
 }

@@ -3,10 +3,9 @@ import type { SentencesOf } from '../language/texts.js';
 import { cells, orderOf, relationBy } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import type { WeilerAthertonEvents } from '../trace/events.js';
-import { isOpenOutline } from './events.js';
-import type { Region } from './events.js';
-import { verticesOf } from './geometry.js';
-import { boxOf, sized } from './sizes.js';
+import type { Region } from '../trace/values.js';
+import { isOpenOutline } from './state.js';
+import { boxOf, sized, verticesOf } from './geometry.js';
 
 const pieces = {
   en: { one: 'piece', other: 'pieces' },

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
 import { languages } from '../language/language.js';
-import { answers, questionFrom } from '../testing/questions.js';
-import { textOf, traceOf } from '../testing/traces.js';
-import type { Trace } from '../replay/trace.js';
 import { nextQuestion } from '../predict/questions.js';
 import { sayRight } from '../predict/say.js';
+import type { Trace } from '../replay/trace.js';
+import { answers, questionFrom } from '../testing/questions.js';
+import { textOf, traceOf } from '../testing/traces.js';
 
 /**
  * The scene of lesson 14. W is the rectangle from (2, 2) to (14, 12) with the depth x / 16. Q is the rectangle from (4, 6)
