@@ -14,7 +14,7 @@ import type { View } from '../algorithm/view.js';
 import { act } from '../editor/act.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
-import { hasPoint } from './pieces.js';
+import { hasPoint } from './shapes.js';
 import { base } from '../elements/theme.js';
 
 /** CSS pixels: the radius of handles, and of the area around them that takes the pointer. */

@@ -3,8 +3,8 @@ import type { SentencesOf } from '../language/texts.js';
 import { rangeOf } from '../language/words.js';
 import type { Words } from '../language/words.js';
 import type { FloatingHorizonEvents } from '../trace/events.js';
-import type { Flag } from './events.js';
-import { isLostBelow, metBy } from './sides.js';
+import type { Flag } from './state.js';
+import { isLostBelow, metBy } from './state.js';
 
 /** Whether a part of a segment is a point on a column. */
 const isPoint = ({

@@ -5,8 +5,7 @@ import { textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { headerOf } from '../trace/header.js';
 import type { Curve } from '../trace/header.js';
-import { piecesOf } from './pieces.js';
-import { curvesToPoint, heightOver } from './shapes.js';
+import { curvesToPoint, heightOver, piecesOf } from './shapes.js';
 
 /** A piece over the columns 1 and 3, a point between two gaps, and a piece over 6 and 7. */
 const broken: Curve = [
