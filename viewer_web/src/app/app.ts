@@ -4,7 +4,7 @@ import { customElement, query, state } from 'lit/decorators.js';
 import { keyMap } from '../base/key-map.js';
 import { memory } from '../base/memory.js';
 import type { StatePart } from '../algorithm/state-part.js';
-import type { PageView } from '../base/page-view.js';
+import type { PageView } from '../base/setting.js';
 import { plain } from '../base/setting.js';
 import '../atlas/failure-note.js';
 import type { Entry } from '../atlas/entries.js';

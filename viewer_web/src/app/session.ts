@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { rest } from '../base/rest.js';
-import { textOf } from '../base/text-file.js';
+import { rest } from '../elements/read-on.js';
+import { textOf } from '../base/file.js';
 import { embeddedAtlas } from '../atlas/entries.js';
 import { Rival } from '../compare/rival.js';
 import type { With } from '../compare/rival.js';

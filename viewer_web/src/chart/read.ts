@@ -1,4 +1,4 @@
-import { toUtf8 } from '../base/text-file.js';
+import { toUtf8 } from '../base/file.js';
 import { parseJson } from '../trace/check.js';
 import { Refusal } from '../trace/refusal.js';
 import { parseChart } from './format.js';

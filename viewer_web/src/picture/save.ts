@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { View } from '../algorithm/view.js';
-import { download, fileName } from '../base/download.js';
+import { download, fileName } from '../base/file.js';
 import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
 import { pngOf } from './png.js';

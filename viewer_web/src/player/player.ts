@@ -6,7 +6,7 @@ import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import type { StatePart } from '../algorithm/state-part.js';
 import { withKey } from '../base/key-map.js';
-import type { PageView } from '../base/page-view.js';
+import type { PageView } from '../base/setting.js';
 import { isWay, plain } from '../base/setting.js';
 import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';

@@ -2,7 +2,7 @@ import { algorithmOf } from '../algorithm/algorithm.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { toBase64 } from '../base/base64.js';
-import { element, escaped } from '../base/xml.js';
+import { element, escaped } from '../base/markup.js';
 import { texts } from '../i18n/index.js';
 import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';

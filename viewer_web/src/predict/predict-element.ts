@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import type { View } from '../algorithm/view.js';
-import { download, fileName } from '../base/download.js';
+import { download, fileName } from '../base/file.js';
 import { liveKey } from '../base/key-map.js';
 import { kbd } from '../elements/kbd.js';
 import { base } from '../elements/theme.js';

@@ -17,10 +17,9 @@ import { stateParts } from '../algorithm/state-part.js';
 import type { StatePart } from '../algorithm/state-part.js';
 import { edition } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
-import { boundedText } from '../base/bounded-text.js';
 import { inEachLanguage } from '../language/language.js';
 import type { Bilingual, Language } from '../language/language.js';
-import { toUtf8 } from '../base/text-file.js';
+import { boundedText, toUtf8 } from '../base/file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
 

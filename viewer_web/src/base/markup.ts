@@ -27,3 +27,10 @@ export function element(
   const written = [...attributes].map(([key, value]) => ` ${key}="${escaped(String(value))}"`);
   return `<${name}${written.join('')}${content === '' ? '/>' : `>${content}</${name}>`}\n`;
 }
+
+/** JSON that does not end its block of a page. It is ASCII, since a browser reads a page with other characters more slowly. */
+export const jsonInPage = (value: unknown): string =>
+  JSON.stringify(value).replace(
+    /[<\u0080-\uffff]/g,
+    (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, '0')}`,
+  );

@@ -1,4 +1,18 @@
-import { boundedText } from './bounded-text.js';
+/** The text in a stream of bytes. Throws a RangeError if there are more bytes than the limit. */
+export async function boundedText(
+  stream: ReadableStream<Uint8Array>,
+  most: number,
+): Promise<string> {
+  const reader = stream.getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let length = 0;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    parts.push(part.value as Uint8Array<ArrayBuffer>);
+    length += part.value.length;
+    if (length > most) throw new RangeError('too long a text');
+  }
+  return new Blob(parts).text();
+}
 
 /** The longest text that is read: a longer one would only block the page. */
 const longest = 2 ** 28;
@@ -67,4 +81,22 @@ export async function textStream(file: Blob): Promise<ReadableStream<Uint8Array>
 /** Throws if the file is broken gzip, or its text is too long. */
 export async function textOf(file: Blob): Promise<string> {
   return boundedText(await textStream(file), longest);
+}
+
+/** Saves a file in the browser's folder of downloads. */
+export function download(file: Blob, name: string): void {
+  const anchor = document.createElement('a');
+  anchor.href = URL.createObjectURL(file);
+  anchor.download = name;
+  anchor.click();
+  URL.revokeObjectURL(anchor.href);
+}
+
+/** Words joined into a part of a file name. */
+export function fileName(...words: readonly string[]): string {
+  const parts = words.map((word) => word.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase());
+  return parts
+    .map((part) => part.replace(/^-|-$/g, ''))
+    .filter(Boolean)
+    .join('.');
 }

@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { kindOfFile } from '../run/file-kind.js';
 import { textOf as traceText, traceOf } from '../testing/traces.js';
-import { textOf, toUtf8 } from './text-file.js';
+import { textOf, toUtf8 } from './file.js';
 
 const swapped = (bytes: Buffer): Buffer => Buffer.from(bytes).swap16();
 const utf16 = (text: string): Buffer => Buffer.from(`\ufeff${text}`, 'utf16le');
