@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import type { StatePart } from '../algorithm/state-part.js';
+import type { StatePart } from '../algorithm/shows.js';
 import type { PageView, Way } from '../base/setting.js';
 import '../compare/comparison-element.js';
 import type { Act } from '../editor/editor.js';

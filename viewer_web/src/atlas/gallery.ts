@@ -1,8 +1,7 @@
 import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import { dialogStyle } from '../elements/dialog.style.js';
-import { base } from '../elements/theme.js';
+import { base, dialogStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { AtlasTexts, FailureKind } from '../language/atlas-texts.js';
 import { editionName } from '../language/family-texts.js';

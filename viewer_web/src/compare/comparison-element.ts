@@ -4,12 +4,10 @@ import { customElement, property, query, queryAll, state } from 'lit/decorators.
 import { viewOf } from '../algorithm/view.js';
 import type { Choice, View } from '../algorithm/view.js';
 import type { Editing } from '../editor/editor.js';
-import { announcerStyle } from '../elements/announcer.style.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
+import { announcerStyle } from '../elements/announcer.js';
 import type { Actions } from '../elements/keyboard.js';
-import { leastPanel, leastPicture } from '../elements/least-picture.js';
 import { ReadOn } from '../elements/read-on.js';
-import { base, tokens } from '../elements/theme.js';
+import { base, hiddenStyle, leastPanel, leastPicture, tokens } from '../elements/theme.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import type { Layer } from '../picture/layers.js';

@@ -9,9 +9,8 @@ import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { isChecked } from '../exactness/told.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { textureStyle } from '../elements/texture.style.js';
-import { base } from '../elements/theme.js';
+import { textureStyle } from '../picture/picture.style.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 
 const factsStyle = css`
   :host {

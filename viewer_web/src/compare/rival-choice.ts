@@ -13,8 +13,7 @@ import { runLabel } from '../lessons/run-name.js';
 import { kernels, methodNames, offeredNames, runnable, runs, usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import type { Trace } from '../replay/trace.js';
-import { dialogStyle } from '../elements/dialog.style.js';
-import { base } from '../elements/theme.js';
+import { base, dialogStyle } from '../elements/theme.js';
 
 type Field = 'method' | 'edition' | 'kernel';
 type Names = Readonly<Record<string, string>>;

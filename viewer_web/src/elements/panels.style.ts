@@ -1,5 +1,5 @@
 import { css, unsafeCSS } from 'lit';
-import { stateParts } from '../algorithm/state-part.js';
+import { stateParts } from '../algorithm/shows.js';
 import { mostPrinted } from './lists.js';
 
 /** On paper a list states the number of further rows. */

@@ -1,9 +1,8 @@
 import { css, html, nothing, svg } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
 import { LayerSwitches } from '../elements/layer-switches.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { CurveHistoryTexts, CurveTexts } from '../language/curve-texts.js';
 import { curvesStyle } from '../picture/curves.style.js';

@@ -7,7 +7,7 @@ import { texts } from '../i18n/index.js';
 import { led } from '../editor/corner-keys.js';
 import type { Place } from '../editor/corner-keys.js';
 import type { Sketch } from '../run/sketch.js';
-import { overlayStyle } from '../picture/overlay.style.js';
+import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import type { Sample } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';

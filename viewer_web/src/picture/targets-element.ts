@@ -3,7 +3,7 @@ import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import type { Frame } from './frame.js';
-import { overlayStyle } from './overlay.style.js';
+import { overlayStyle } from './picture.style.js';
 import { pointIn } from './own-size.js';
 import { shapesOf } from './shapes.js';
 import type { Target } from './target.js';

@@ -4,30 +4,30 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import type { StatePart } from '../algorithm/state-part.js';
+import type { StatePart } from '../algorithm/shows.js';
 import { withKey } from '../base/key-map.js';
 import type { PageView } from '../base/setting.js';
 import { isWay, plain } from '../base/setting.js';
 import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';
 import '../editor/scene-panel.js';
-import { announcerStyle } from '../elements/announcer.style.js';
+import { announcerStyle } from '../elements/announcer.js';
 import '../elements/divider.js';
+import { findingMarks } from '../exactness/finding-marks.js';
+import { marginMarks } from '../exactness/margin.js';
+import type { Margin } from '../exactness/margin.js';
+import type { Actions } from '../elements/keyboard.js';
+import { withTerms } from '../elements/term.js';
 import {
+  base,
+  hiddenStyle,
   leastPanel,
   leastPicture,
   moreControls,
   tallScreen,
+  tokens,
   zoomButtons,
-} from '../elements/least-picture.js';
-import { findingMarks } from '../exactness/finding-marks.js';
-import { marginMarks } from '../exactness/margin.js';
-import type { Margin } from '../exactness/margin.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import type { Actions } from '../elements/keyboard.js';
-import { isOnlyEdited } from '../elements/only-edited.js';
-import { withTerms } from '../elements/term.js';
-import { base, tokens } from '../elements/theme.js';
+} from '../elements/theme.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
@@ -61,6 +61,13 @@ import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
 import { verdictOn } from './verdict.js';
+
+/** Whether only the scene was changed: the form and the handles show that, and the rest waits for the run. */
+function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
+  return (
+    changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
+  );
+}
 
 /**
  * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room

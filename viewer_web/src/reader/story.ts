@@ -13,8 +13,8 @@ import {
 } from '../trace/check.js';
 import type { Check } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
-import { stateParts } from '../algorithm/state-part.js';
-import type { StatePart } from '../algorithm/state-part.js';
+import { stateParts } from '../algorithm/shows.js';
+import type { StatePart } from '../algorithm/shows.js';
 import { edition } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import { inEachLanguage } from '../language/language.js';

@@ -5,9 +5,8 @@ import { texts } from '../i18n/index.js';
 import { caption } from './caption.js';
 import { Space } from './space.js';
 import type { View } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
 import './solid-stage.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 
 /** The 3D view, with a description of the step. */
 @customElement('vidno-solid')

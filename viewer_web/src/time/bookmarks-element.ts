@@ -4,7 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { View } from '../algorithm/view.js';
 import { liveKey } from '../base/key-map.js';
-import { kbd } from '../elements/kbd.js';
+import { kbd } from '../elements/keyboard.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../language/texts.js';

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { stateParts } from './state-part.js';
+import { stateParts } from './shows.js';
 
 interface Schema {
   readonly properties: { readonly shows: { readonly items: { readonly enum: readonly string[] } } };
