@@ -5,7 +5,7 @@ import type { View } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/solid-texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { polygonInHand } from '../picture/in-hand.js';
+import { polygonInHand } from '../picture/event-marks.js';
 import { cornerOf } from '../picture/mark.js';
 import type { Role } from '../picture/mark.js';
 import type { Warnock } from '../replay/values.js';

@@ -1,7 +1,7 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import { cells } from '../language/words.js';
-import { polygonInHand } from '../picture/in-hand.js';
+import { polygonInHand } from '../picture/event-marks.js';
 import { activeDrawing } from '../solid/drawing.js';
 import {
   behind,

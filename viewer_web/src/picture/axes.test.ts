@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { stepOf, ticksIn } from './ticks.js';
+import { stepOf, ticksIn } from './axes.js';
 
 describe('the numbers of an axis', () => {
   it.each([
