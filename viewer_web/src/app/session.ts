@@ -29,7 +29,7 @@ import type { Failure } from '../run/failures.js';
 import { isMesh, kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
-import { ownStep } from '../time/own-step.js';
+import { ownStep } from '../time/place.js';
 
 /** A place in a trace: the step, and what is marked. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };

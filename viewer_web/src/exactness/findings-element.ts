@@ -10,8 +10,7 @@ import type { ExactTexts } from '../language/exact-texts.js';
 import { isSeen, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
-import { inNotation, withoutOne } from './notation.js';
-import { superscript } from './superscript.js';
+import { inNotation, superscript, withoutOne } from './calculation.js';
 
 /** The number of rows shown until the reader asks for more. */
 const page = 60;

@@ -15,7 +15,7 @@ import type { HistoryTexts } from '../language/texts.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Pixel } from '../picture/pixel.js';
 import { toColor } from '../replay/color.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import type { Entry } from './entry.js';
 import { grouped, shownAround } from './groups.js';
 import type { Group } from './groups.js';

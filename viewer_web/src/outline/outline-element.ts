@@ -9,7 +9,7 @@ import { base, hiddenStyle } from '../elements/theme.js';
 import { countedIn, texts } from '../i18n/index.js';
 import type { OutlineTexts } from '../language/outline-texts.js';
 import type { Trace } from '../replay/trace.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import { cases } from '../time/course.js';
 import { around, indexFrom } from '../time/goals.js';
 import { outlineOf } from './outline.js';

@@ -11,8 +11,7 @@ import type { Trace } from '../replay/trace.js';
 import { clozeOf, inert } from './cloze.js';
 import { factsOf } from './facts.js';
 import type { Question } from './question.js';
-import { reasonsOf } from './reasons.js';
-import { sayIntro } from './say.js';
+import { reasonsOf, sayIntro } from './say.js';
 import { spread } from './spread.js';
 
 /** The number of questions by default. */

@@ -7,14 +7,21 @@ import { kbd } from '../elements/keyboard.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../language/predict-texts.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import { optionName, valueName } from './answers.js';
 import type { Current, Predictor } from './predictor.js';
 import { columnsOf, parts as forms } from './question.js';
 import type { Part } from './question.js';
-import { stepAgainst } from './reasons.js';
-import type { Reason } from './reasons.js';
-import { sayAnswer, sayCell, sayEntry, sayIntro, sayRight, sayRightCell } from './say.js';
+import type { Reason } from './say.js';
+import {
+  sayAnswer,
+  sayCell,
+  sayEntry,
+  sayIntro,
+  sayRight,
+  sayRightCell,
+  stepAgainst,
+} from './say.js';
 import { isRightNumber, typedNumber } from './grade.js';
 import { answerOf, firstWrong, hintCost } from './sheet.js';
 import type { Wrong } from './sheet.js';

@@ -1,6 +1,8 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { SolidTexts } from '../language/solid-texts.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
 import { outlines } from '../trace/faces.js';
@@ -114,4 +116,11 @@ function pointedDrawing(view: View, space: Space): Partial<Drawing> {
     case 'column':
       return algorithmOf(header).solid?.pointed?.(thing, view, space) ?? {};
   }
+}
+
+/** A description of the box: first what never changes in a scene, then what the step shows. */
+export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {
+  const [far, near] = space.depths.map(numbersOf(view).short);
+  const depths = texts.depths(far ?? '', near ?? '');
+  return [depths, ...(algorithmOf(view.header).solid?.caption(view, texts) ?? [])];
 }

@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
-import { caption } from './caption.js';
+import { caption } from './scene.js';
 import { Space } from './space.js';
 import type { View } from '../algorithm/view.js';
 import './solid-stage.js';

@@ -11,7 +11,7 @@ import { texts } from '../i18n/index.js';
 import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { aimedAt, placeOf } from '../time/columns.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import { Course } from '../time/course.js';
 import { sayPlace } from '../time/place.js';
 import { isIn } from '../time/range.js';
@@ -21,8 +21,7 @@ import './overview.js';
 import './strip-element.js';
 import { StripGestures } from './strip-gestures.js';
 import './strip-legend.js';
-import { Zoom } from './zoom.js';
-import { zoomByKey } from './zoom-keys.js';
+import { Zoom, zoomByKey } from './zoom.js';
 
 /** The thumb's centre is at the place of the step on the strip: half a thumb from both ends. */
 const sliderStyle = css`

@@ -6,12 +6,11 @@ import type { Language } from '../language/language.js';
 import type { StripMark } from '../language/texts.js';
 import { lanesOf } from './lanes.js';
 import type { LaneName } from './lanes.js';
-import { lookOf } from './look.js';
+import { lookOf, stripColors } from './look.js';
 import { paintSample } from './sample.js';
 import type { Sample } from './sample.js';
 import { cases } from '../time/course.js';
 import type { Header } from '../trace/header.js';
-import { stripColors } from './strip.style.js';
 import { base } from '../elements/theme.js';
 
 const legendStyle = css`

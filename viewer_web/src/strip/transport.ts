@@ -9,7 +9,7 @@ import { Typed } from '../elements/typed.js';
 import type { Check } from '../exactness/truth.js';
 import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from '../time/bookmarks.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import './slider.js';
 
 const transportStyle = css`

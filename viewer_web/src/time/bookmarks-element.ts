@@ -17,7 +17,7 @@ import {
   withoutBookmark,
 } from './bookmarks.js';
 import type { Bookmark, Bookmarks } from './bookmarks.js';
-import type { Command } from './command.js';
+import type { Command } from './travel.js';
 
 const bookmarksStyle = css`
   :host {

@@ -5,7 +5,7 @@ import { guard } from 'lit/directives/guard.js';
 import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
-import { askCheck } from '../exactness/ask-check.js';
+import { askCheck } from '../exactness/truth.js';
 import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../language/texts.js';
@@ -13,9 +13,15 @@ import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 import { Calls } from './calls.js';
 import type { Direction } from './calls.js';
-import type { Command } from './command.js';
 import { Goals, around, goalsOf } from './goals.js';
 import type { Followed, Goal, GoalName } from './goals.js';
+
+/** The commands of the controls, which the player carries out. */
+export type Command =
+  | { readonly do: 'seek'; readonly step: number }
+  | { readonly do: 'play' }
+  | { readonly do: 'speed'; readonly speed: number }
+  | { readonly do: 'bookmarks'; readonly bookmarks: Bookmarks };
 
 const travelStyle = css`
   :host {
