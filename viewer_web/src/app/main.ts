@@ -1,3 +1,2 @@
-import './shows.js';
-import './start-engine.js';
 import './app.js';
+import './player.js';

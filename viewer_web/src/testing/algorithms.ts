@@ -1,2 +1,5 @@
 /** Tests need the algorithms, as the page does. */
-import '../app/algorithms.js';
+import '../floating-horizon/algorithm.js';
+import '../warnock/algorithm.js';
+import '../weiler-atherton/algorithm.js';
+import '../zbuffer/algorithm.js';
