@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { curveRunOf, runOf, sample, sceneOf, surfaceOf, surfaceSample } from '../testing/charts.js';
 import { sceneCosts, sceneErrors } from './scene-format.js';
-import { frontOf } from './front.js';
-import { areaOfRight, linesOf, pointsOf } from './points.js';
+import { areaOfRight, frontOf, linesOf, pointsOf } from './points.js';
 import { curveCosts, curveErrors } from './surface-format.js';
 import { viewsOf } from './views.js';
 

@@ -22,7 +22,7 @@ import './replay-element.js';
 import './series-element.js';
 import type { Chart } from '../format.js';
 import type { Point } from '../points.js';
-import { embeddedChart, embeddedReplay, readChart } from '../read.js';
+import { embeddedChart, embeddedReplay, readChart } from '../format.js';
 import { shownOf } from '../shown.js';
 import type { Shown } from '../shown.js';
 import { explanation, missingText, sizeText } from '../words.js';
