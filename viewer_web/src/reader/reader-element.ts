@@ -13,7 +13,6 @@ import { runLabel } from '../lessons/run-name.js';
 import { isRefusal } from '../trace/refusal.js';
 import type { Setup } from './address.js';
 import { blocks } from './blocks.js';
-import { Drawings } from './drawings.js';
 import { Fitting } from './fitting.js';
 import { opening, printedAnswers, sources } from './frame.js';
 import { inlines } from './inlines.js';
@@ -24,6 +23,24 @@ import type { Goal, Reached } from './reading-place.js';
 import type { LessonStory, Pin } from './story.js';
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
+
+/** The SVG drawings of a lesson, as addresses that images can show. */
+class Drawings {
+  private readonly addresses = new Map<string, string>();
+
+  addressOf(svg: string): string {
+    const address =
+      this.addresses.get(svg) ?? URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+    this.addresses.set(svg, address);
+    return address;
+  }
+
+  /** Releases the addresses of drawings that are no longer shown. */
+  forget(): void {
+    for (const address of this.addresses.values()) URL.revokeObjectURL(address);
+    this.addresses.clear();
+  }
+}
 
 /** The printed text: A4, lines of 140 mm, with hidden parts shown and buttons left out. */
 const readerPrint = css`

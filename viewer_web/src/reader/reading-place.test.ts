@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { readingLine, scrolledTo } from './reading-line.js';
+import { readingLine, scrolledTo } from './reading-place.js';
 
 describe('the reading line', () => {
   // A text of 4000 px in a box of 900 px can scroll by 3100 px.
