@@ -4,7 +4,7 @@ import { patchesOf } from '../picture/patches.js';
 import { boxData, pathData } from '../picture/shapes.js';
 import { outlineData } from '../picture/still.js';
 import type { Trace } from '../replay/trace.js';
-import { outlines } from '../trace/faces.js';
+import { outlines } from '../trace/polygon.js';
 import type { Point } from '../trace/values.js';
 import type { Rectangle } from '../picture/frame.js';
 

@@ -8,9 +8,8 @@ import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import { whyRefused } from '../run/refusal.js';
 import { reachesOut } from '../run/sketch.js';
-import { ask } from './act.js';
 import type { Act } from './editor.js';
-import { FormElement } from './form.js';
+import { FormElement, ask } from './form.js';
 import type { LinkMade } from './live.js';
 import './run-form.js';
 

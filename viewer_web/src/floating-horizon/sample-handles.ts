@@ -11,7 +11,7 @@ import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import type { Sample } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
-import { act } from '../editor/act.js';
+import { act } from '../editor/form.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
 import { hasPoint } from './shapes.js';

@@ -14,7 +14,7 @@ import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Pixel } from '../picture/pixel.js';
-import { toColor } from '../replay/color.js';
+import { toColor } from '../replay/screen.js';
 import type { Command } from '../time/travel.js';
 import type { Entry } from './entry.js';
 import { grouped, shownAround } from './groups.js';

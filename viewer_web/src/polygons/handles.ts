@@ -13,7 +13,7 @@ import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
-import { act } from '../editor/act.js';
+import { act } from '../editor/form.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
 import { base, hiddenStyle } from '../elements/theme.js';

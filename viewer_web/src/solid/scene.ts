@@ -5,13 +5,12 @@ import { numbersOf } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/solid-texts.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
-import { outlines } from '../trace/faces.js';
-import type { OutlineLine } from '../trace/faces.js';
+import { outlines, planeOf } from '../trace/polygon.js';
+import type { OutlineLine } from '../trace/polygon.js';
 import type { Area, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
-import { planeOf } from '../trace/plane.js';
 import { around } from './plane.js';
 import type { Space } from './space.js';
 

@@ -21,7 +21,7 @@ import {
 import type { Dot, Drawing, Label } from '../solid/drawing.js';
 import { holds, patchOf } from '../solid/plane.js';
 import { corners } from '../trace/events.js';
-import { planeOf } from '../trace/plane.js';
+import { planeOf } from '../trace/polygon.js';
 import type { Space, Spot } from '../solid/space.js';
 import type { Corner, N, Vertex } from '../trace/values.js';
 import { shownIn } from './state.js';

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { outlines } from './faces.js';
 import type { Polygon } from './header.js';
+import { outlines } from './polygon.js';
 
 const at = (x: number, y: number): Polygon['vertices'][number] => [x, y, 0];
 const low: Polygon = {
