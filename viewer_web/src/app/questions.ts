@@ -1,5 +1,4 @@
 import { parseArgs } from 'node:util';
-import '../floating-horizon/algorithm.js';
 import { complaint, texts } from '../i18n/index.js';
 import { isLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
@@ -7,9 +6,7 @@ import { moodleXml, usualCount } from '../predict/moodle.js';
 import { read } from '../replay/open.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
-import '../warnock/algorithm.js';
-import '../weiler-atherton/algorithm.js';
-import '../zbuffer/algorithm.js';
+import './algorithms.js';
 import './start-engine.js';
 
 /**
