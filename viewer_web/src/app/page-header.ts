@@ -214,9 +214,3 @@ export class PageHeaderElement extends LitElement {
     </button>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-page-header': PageHeaderElement;
-  }
-}

@@ -251,9 +251,3 @@ export class GalleryElement extends LitElement {
     </div>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-gallery': GalleryElement;
-  }
-}

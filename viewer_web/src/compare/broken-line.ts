@@ -224,9 +224,3 @@ function paintChanges(canvas: HTMLCanvasElement, own: Pixels, other: Pixels): vo
   const cells = { width, height, of: [own, other], row };
   new CellPainter().paint(canvas, cells, { x: 0, y: 0, scale: scale * ratio, ratio });
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-broken-line': BrokenLineElement;
-  }
-}

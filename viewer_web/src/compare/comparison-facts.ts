@@ -264,9 +264,3 @@ export class ComparisonFactsElement extends LitElement {
       ><span class="number">${this.number(sofar)}<small> / ${this.number(total)}</small></span>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-comparison-facts': ComparisonFactsElement;
-  }
-}

@@ -221,9 +221,3 @@ export class RivalChoiceElement extends LitElement {
     if (file !== undefined) this.choose({ kind: 'file', file });
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-rival-choice': RivalChoiceElement;
-  }
-}

@@ -199,9 +199,3 @@ export class FindingsElement extends LitElement {
     );
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-findings': FindingsElement;
-  }
-}

@@ -98,12 +98,6 @@ export class CurvePictureElement extends PlaneElement {
   }
 }
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-curve-picture': CurvePictureElement;
-  }
-}
-
 /** The layers of the picture of curves. */
 @customElement('vidno-curve-layers')
 export class CurveLayersElement extends LayerSwitches<Layer> {
@@ -117,11 +111,5 @@ export class CurveLayersElement extends LayerSwitches<Layer> {
   /** Switches between the lines alone and everything. */
   next(): void {
     this.show(this.layers.size === 1 && this.layers.has('lines') ? allLayers : linesAlone);
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-curve-layers': CurveLayersElement;
   }
 }

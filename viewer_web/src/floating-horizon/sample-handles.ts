@@ -106,9 +106,3 @@ export class SampleHandlesElement extends LitElement {
     this.dispatchEvent(new CustomEvent<Place>('follow', { detail: [x, y] }));
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-sample-handles': SampleHandlesElement;
-  }
-}

@@ -137,9 +137,3 @@ export class WrongLinesElement extends LitElement {
     buttons.at((now + by) % buttons.length)?.focus();
   };
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-wrong-lines': WrongLinesElement;
-  }
-}

@@ -618,9 +618,3 @@ function nodeOf(event: Event): number {
     .find((each) => each instanceof HTMLElement && 'node' in each.dataset);
   return row instanceof HTMLElement ? Number(row.dataset['node']) : none;
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-outline': OutlineElement;
-  }
-}

@@ -125,9 +125,3 @@ export class AxesElement extends LitElement {
     return this.pointed?.[axis] === n ? 'pointed' : '';
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-axes': AxesElement;
-  }
-}

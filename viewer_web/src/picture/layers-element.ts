@@ -163,9 +163,3 @@ export class LayersElement extends LitElement {
     return layer === 'picture' ? nothing : html`<p class="status">${this.words()}</p>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-layers': LayersElement;
-  }
-}

@@ -115,9 +115,3 @@ function onKey(event: KeyboardEvent, press: () => void): void {
   event.preventDefault();
   press();
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-targets': TargetsElement;
-  }
-}

@@ -209,9 +209,3 @@ export class HandlesElement extends LitElement {
     act(this, what);
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-handles': HandlesElement;
-  }
-}

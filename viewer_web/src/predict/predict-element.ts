@@ -303,9 +303,3 @@ export class PredictElement extends LitElement {
     this.dispatchEvent(new CustomEvent<Command>('command', { detail }));
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-predict': PredictElement;
-  }
-}

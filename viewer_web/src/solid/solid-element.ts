@@ -74,9 +74,3 @@ export class SolidElement extends LitElement {
     `;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-solid': SolidElement;
-  }
-}

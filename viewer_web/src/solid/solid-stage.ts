@@ -276,9 +276,3 @@ export class SolidStageElement extends LitElement {
     );
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-solid-stage': SolidStageElement;
-  }
-}

@@ -229,9 +229,3 @@ export class OverviewElement extends LitElement {
     this.dispatchEvent(new CustomEvent('change'));
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-overview': OverviewElement;
-  }
-}

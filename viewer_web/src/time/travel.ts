@@ -324,9 +324,3 @@ export class TravelElement extends LitElement {
     </button>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-travel': TravelElement;
-  }
-}

@@ -30,12 +30,6 @@ export class RegionPictureElement extends PictureElement {
   }
 }
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-region-picture': RegionPictureElement;
-  }
-}
-
 /** The layers of the picture of regions. */
 @customElement('vidno-region-layers')
 export class RegionLayersElement extends LayerSwitches<RegionLayer> {
@@ -43,11 +37,5 @@ export class RegionLayersElement extends LayerSwitches<RegionLayer> {
 
   protected override get names(): RegionTexts {
     return texts[this.view.language].regions;
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-region-layers': RegionLayersElement;
   }
 }
