@@ -78,9 +78,15 @@ export const base = css`
   ul,
   dl,
   dd,
-  figure {
+  figure,
+  fieldset,
+  legend {
     margin: 0;
     padding: 0;
+  }
+  fieldset {
+    min-width: 0;
+    border: 0;
   }
   [hidden] {
     display: none !important;

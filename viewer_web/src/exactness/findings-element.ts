@@ -35,7 +35,6 @@ export class FindingsElement extends LitElement {
       }
       table {
         width: 100%;
-        border-collapse: collapse;
         font-size: 0.75rem;
       }
       th,

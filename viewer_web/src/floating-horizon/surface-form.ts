@@ -34,13 +34,9 @@ const surfaceFormStyle = css`
     font-size: 0.6875rem;
   }
   fieldset {
-    min-width: 0;
     margin: 0.5rem 0 0;
-    padding: 0;
-    border: 0;
   }
   legend {
-    padding: 0;
     color: var(--soft);
     font-size: 0.75rem;
     font-weight: 600;

@@ -50,13 +50,9 @@ const predictStyle = css`
     font: 0.6875rem var(--mono);
   }
   fieldset {
-    min-width: 0;
     margin: 0.4rem 0 0;
-    padding: 0;
-    border: 0;
   }
   legend {
-    padding: 0;
     font-weight: 600;
   }
   label {

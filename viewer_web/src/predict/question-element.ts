@@ -45,13 +45,9 @@ const questionStyle = css`
     border-radius: 3px;
   }
   fieldset {
-    min-width: 0;
     margin: 0.6rem 0 0;
-    padding: 0;
-    border: 0;
   }
   legend {
-    padding: 0;
     font-weight: 600;
   }
   /* The part that the picture answers, and for which there is a hint. */
@@ -125,7 +121,6 @@ const questionStyle = css`
   }
   table {
     margin-top: 0.2rem;
-    border-collapse: collapse;
   }
   th,
   td {

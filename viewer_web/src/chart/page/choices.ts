@@ -27,14 +27,10 @@ export class ChoicesElement extends LitElement {
         gap: 0.5rem;
         align-items: center;
         min-width: 0;
-        margin: 0;
-        padding: 0;
-        border: 0;
       }
       .scene > span,
       legend {
         float: left;
-        padding: 0;
         color: var(--soft);
       }
       select {

@@ -16,12 +16,6 @@ export class SeriesElement extends LitElement {
   static override styles = [
     base,
     css`
-      fieldset {
-        min-width: 0;
-        margin: 0;
-        padding: 0;
-        border: 0;
-      }
       .all {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
