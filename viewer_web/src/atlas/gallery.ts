@@ -10,7 +10,7 @@ import { drawn } from '../picture/drawn.js';
 import { embeddedAtlas, entryKinds } from './entries.js';
 import type { Entry } from './entries.js';
 import { Pictures } from './pictures.js';
-import type { Thumbnail } from './thumbnail.js';
+import type { Thumbnail } from './pictures.js';
 
 const galleryStyle = css`
   :host {

@@ -3,7 +3,7 @@ import { curveRunOf, runOf, sample, sceneOf, surfaceOf, surfaceSample } from '..
 import { sceneCosts, sceneErrors } from './scene-format.js';
 import { areaOfRight, frontOf, linesOf, pointsOf } from './points.js';
 import { curveCosts, curveErrors } from './surface-format.js';
-import { viewsOf } from './views.js';
+import { viewsOf } from './subject.js';
 
 describe('the front', () => {
   const front = (...places: readonly (readonly [number, number])[]): readonly number[] => {

@@ -7,10 +7,8 @@ import { areaOfRight, byCost, pointsOf } from './points.js';
 import type { Point } from './points.js';
 import { isHidden, printed, seriesOf } from './series.js';
 import type { Series, Setting } from './series.js';
-import { axesOf, fileOf } from './subject.js';
-import type { Axes } from './subject.js';
-import { viewsOf } from './views.js';
-import type { View } from './views.js';
+import { axesOf, fileOf, viewsOf } from './subject.js';
+import type { Axes, View } from './subject.js';
 
 /** A chart as the components show it. */
 export interface Shown {

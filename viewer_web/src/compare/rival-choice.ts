@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { quickRuns } from './quick.js';
+import { quickRuns } from './rival.js';
 import type { With } from './rival.js';
 import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';

@@ -7,7 +7,7 @@ import type { Kind } from '../format.js';
 import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
 import { nameIn } from '../../language/scene-name.js';
-import type { View } from '../views.js';
+import type { View } from '../subject.js';
 
 /** The choice of the subject and of the two axes. */
 @customElement('vidno-choices')

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { wordOf } from '../run/packed.js';
 import { usual } from '../run/options.js';
-import { quickRuns } from './quick.js';
+import { wordOf } from '../run/packed.js';
+import { quickRuns } from './rival.js';
 
 describe('quick comparisons are offered for a run with', () => {
   it('the other method, the other edition, exact numbers and float', () => {
