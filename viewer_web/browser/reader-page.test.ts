@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { readingLine } from '../src/reader/reading-line.js';
+import { readingLine } from '../src/reader/reading-place.js';
 import type { Area } from '../src/trace/header.js';
 import { browser, settled } from './browser.js';
 import { spotOf } from './live.js';

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
-import { jsonInPage } from '../src/base/json-in-page.js';
+import { jsonInPage } from '../src/base/markup.js';
 import { indexEntry, sampleLesson, shortLesson } from '../src/testing/lessons.js';
 import { built } from './browser.js';
 import { openUrl, sampleTrace } from './page.js';

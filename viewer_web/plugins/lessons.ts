@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
-import { jsonInPage } from '../src/base/json-in-page.js';
+import { jsonInPage } from '../src/base/markup.js';
 
 interface Index {
   readonly traces: readonly { readonly file: string }[];

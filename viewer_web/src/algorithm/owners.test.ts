@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Pixel } from '../picture/pixel.js';
-import { toColor } from '../replay/color.js';
+import { toColor } from '../replay/screen.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';
 import type { RandomRun } from '../testing/random-runs.js';

@@ -7,8 +7,25 @@ import type { HistoryTexts, Texts } from '../language/texts.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Method } from '../trace/events.js';
-import type { StatePart } from './state-part.js';
 import type { View } from './view.js';
+
+/** The parts of the panels of state, which a lesson may ask for by name. Each algorithm has some of them. */
+export const stateParts = [
+  'window',
+  'corner-depths',
+  'active-polygons',
+  'stack',
+  'scanline',
+  'active-edges',
+  'z-buffer',
+  'list',
+  'parts',
+  'visible',
+  'curve',
+  'side-edges',
+  'horizons',
+] as const;
+export type StatePart = (typeof stateParts)[number];
 
 /** The control that chooses the layer of a picture. */
 export interface LayerChoice extends HTMLElement {

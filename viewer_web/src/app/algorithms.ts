@@ -1,4 +1,4 @@
-/** Registers all algorithms, without the elements that show their runs. */
+/** Registers all algorithms without their elements, for the program of questions and for tests. */
 import '../floating-horizon/algorithm.js';
 import '../warnock/algorithm.js';
 import '../weiler-atherton/algorithm.js';

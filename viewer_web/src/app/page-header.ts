@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { withKey } from '../base/key-map.js';
-import type { PageView } from '../base/page-view.js';
+import type { PageView } from '../base/setting.js';
 import { headerStyle } from '../elements/header.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
@@ -212,11 +212,5 @@ export class PageHeaderElement extends LitElement {
     >
       ${label}
     </button>`;
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-page-header': PageHeaderElement;
   }
 }

@@ -166,9 +166,3 @@ export class RunWordsElement extends LitElement {
     this.close();
   };
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-run-words': RunWordsElement;
-  }
-}

@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { rest } from '../base/rest.js';
-import { textOf } from '../base/text-file.js';
+import { rest } from '../elements/read-on.js';
+import { textOf } from '../base/file.js';
 import { embeddedAtlas } from '../atlas/entries.js';
 import { Rival } from '../compare/rival.js';
 import type { With } from '../compare/rival.js';
@@ -29,7 +29,7 @@ import type { Failure } from '../run/failures.js';
 import { isMesh, kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
-import { ownStep } from '../time/own-step.js';
+import { ownStep } from '../time/place.js';
 
 /** A place in a trace: the step, and what is marked. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };

@@ -1,6 +1,5 @@
-import { download, fileName } from '../base/download.js';
-import { unheld } from '../base/unheld.js';
-import { isGzip } from '../base/text-file.js';
+import { unheld } from '../run/packed.js';
+import { download, fileName, isGzip } from '../base/file.js';
 import type { Carried } from '../editor/live.js';
 import { inEachLanguage } from '../language/language.js';
 import { idOf } from '../lessons/lessons.js';

@@ -1,8 +1,7 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import type { StatePart } from '../algorithm/state-part.js';
-import type { PageView } from '../base/page-view.js';
-import type { Way } from '../base/setting.js';
+import type { StatePart } from '../algorithm/shows.js';
+import type { PageView, Way } from '../base/setting.js';
 import '../compare/comparison-element.js';
 import type { Act } from '../editor/editor.js';
 import { speedFor } from '../elements/clock.js';

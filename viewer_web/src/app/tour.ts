@@ -142,9 +142,3 @@ export class TourElement extends LitElement {
     this.dispatchEvent(new CustomEvent('end'));
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-tour': TourElement;
-  }
-}

@@ -1,5 +1,5 @@
 import { fileIn } from '../base/base64.js';
-import { textOf } from '../base/text-file.js';
+import { textOf } from '../base/file.js';
 import type { FailureKind } from '../language/atlas-texts.js';
 import type { Language } from '../language/language.js';
 import { isMistake } from '../trace/editions.js';

@@ -108,9 +108,3 @@ export class FailureNoteElement extends LitElement {
     this.dispatchEvent(new CustomEvent(what));
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-failure-note': FailureNoteElement;
-  }
-}

@@ -1,11 +1,18 @@
 import { KeyMap } from './key-map.js';
 
-export const controlSets = ['full', 'small', 'none'] as const;
+/** The layouts of the page: around a text and its run, or around a run with everything known about it. */
+const pageViews = ['lesson', 'workbench'] as const;
+export type PageView = (typeof pageViews)[number];
+
+export const isPageView = (name: string): name is PageView =>
+  (pageViews as readonly string[]).includes(name);
+
+const controlSets = ['full', 'small', 'none'] as const;
 
 /** The controls to show: all of them; the buttons and the slider, with picture and listing only; or none, not even keys. */
-export type Controls = (typeof controlSets)[number];
+type Controls = (typeof controlSets)[number];
 
-export const ways = ['free', 'forced'] as const;
+const ways = ['free', 'forced'] as const;
 
 /** When questions are asked: on request, or at every step that has one, where an answer is required to go on. */
 export type Way = (typeof ways)[number];
@@ -53,7 +60,7 @@ export function stepIn(written: string | null): number | null {
   return Number.isSafeInteger(step) && step >= 0 ? step : null;
 }
 
-export function isControls(value: unknown): value is Controls {
+function isControls(value: unknown): value is Controls {
   return controlSets.includes(value as Controls);
 }
 

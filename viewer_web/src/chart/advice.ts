@@ -1,7 +1,6 @@
 import { isRightAsGiven } from '../trace/editions.js';
 import type { Cost, Run, Subject } from './format.js';
-import { byError } from './front.js';
-import { pointsOf } from './points.js';
+import { byError, pointsOf } from './points.js';
 import type { Point } from './points.js';
 import { methods } from './scene-format.js';
 import type { Method, SceneRun } from './scene-format.js';

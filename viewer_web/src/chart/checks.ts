@@ -28,5 +28,17 @@ export function some<T>(item: Check<T>): Check<readonly T[]> {
   };
 }
 
+/** A run with a knob has a value of that knob. */
+export function runOf<R extends { readonly knob: unknown; readonly value: unknown }>(
+  fields: Check<R>,
+  setting: Check<number>,
+): Check<R> {
+  return (value, path) => {
+    const run = fields(value, path);
+    if (run.knob !== null) setting(run.value, `${path}.value`);
+    return run;
+  };
+}
+
 /** The file of a scene or surface; it need not be included. */
 export const file = optional(plainObject);

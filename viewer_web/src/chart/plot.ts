@@ -13,10 +13,9 @@ import {
   tip,
 } from '@observablehq/plot';
 import type { Markish, TipOptions } from '@observablehq/plot';
-import { frontOf } from './front.js';
 import { costTick, errorTick } from './layout.js';
 import type { Layout } from './layout.js';
-import { linesOf } from './points.js';
+import { frontOf, linesOf } from './points.js';
 import type { Point } from './points.js';
 import { look, printed, seriesId } from './series.js';
 import type { Shown } from './shown.js';

@@ -1,10 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { curveRunOf, runOf, sample, sceneOf, surfaceOf, surfaceSample } from '../testing/charts.js';
 import { sceneCosts, sceneErrors } from './scene-format.js';
-import { frontOf } from './front.js';
-import { areaOfRight, linesOf, pointsOf } from './points.js';
+import { areaOfRight, frontOf, linesOf, pointsOf } from './points.js';
 import { curveCosts, curveErrors } from './surface-format.js';
-import { viewsOf } from './views.js';
+import { viewsOf } from './subject.js';
 
 describe('the front', () => {
   const front = (...places: readonly (readonly [number, number])[]): readonly number[] => {

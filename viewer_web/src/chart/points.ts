@@ -1,5 +1,4 @@
 import type { Cost, ErrorMeasure, Run, Subject } from './format.js';
-import { frontOf } from './front.js';
 import { seriesId, settingId } from './series.js';
 import type { Setting } from './series.js';
 import {
@@ -11,6 +10,33 @@ import {
   isSurface,
   sizeOf,
 } from './subject.js';
+
+interface Place {
+  readonly cost: number;
+  readonly error: number;
+}
+
+export function byCost(a: Place, b: Place): number {
+  return a.cost - b.cost || byError(a, b);
+}
+
+/** Compares errors. They may be infinite, so their difference may be NaN. */
+export function byError(a: Place, b: Place): number {
+  if (a.error === b.error) return a.cost - b.cost;
+  return a.error < b.error ? -1 : 1;
+}
+
+/** The places that no other one beats in cost or error while at least as good in the other; the first of equal ones. */
+export function frontOf<T extends Place>(places: readonly T[]): ReadonlySet<T> {
+  const front = new Set<T>();
+  let last: Place | null = null;
+  for (const place of [...places].sort(byCost)) {
+    if (last !== null && place.error >= last.error) continue;
+    last = place;
+    front.add(place);
+  }
+  return front;
+}
 
 /** A run in the plot: its cost and its error. */
 export interface Point {
@@ -26,7 +52,7 @@ export interface Point {
   readonly run: Run | null;
 }
 
-export interface Points {
+interface Points {
   readonly points: readonly Point[];
   /** The settings without a number for this cost, or without a run in some of the subjects. */
   readonly missing: readonly Setting[];

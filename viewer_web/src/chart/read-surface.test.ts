@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { surfaceSample, surfaceText } from '../testing/charts.js';
 import { isRefusal } from '../trace/refusal.js';
 import type { Reason } from '../trace/refusal.js';
-import { readChart } from './read.js';
+import { readChart } from './format.js';
 import { curveKernels, curveKnobs } from './surface-format.js';
 
 /** The sample with the first occurrence of a text replaced. */

@@ -6,7 +6,7 @@ import { sample, sampleText } from '../testing/charts.js';
 import { isRefusal } from '../trace/refusal.js';
 import type { Reason } from '../trace/refusal.js';
 import { sceneCosts, sceneErrors, sceneKinds, sceneKnobs } from './scene-format.js';
-import { readChart } from './read.js';
+import { readChart } from './format.js';
 import { fileOf, subjectsOf } from './subject.js';
 
 async function refused(content: BlobPart): Promise<readonly [string, Reason]> {

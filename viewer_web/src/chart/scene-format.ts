@@ -3,7 +3,7 @@ import type { Check, Checked } from '../trace/check.js';
 import { isFamily, methodNames } from '../trace/editions.js';
 import type { MethodName } from '../trace/editions.js';
 import type { Variant } from '../trace/events.js';
-import { count, editions, file, format, orNull, size, some } from './checks.js';
+import { count, editions, file, format, orNull, runOf, size, some } from './checks.js';
 
 /** The method that takes curves. */
 const curves = 'floating-horizon';
@@ -58,13 +58,6 @@ const runFields = part({
   front: part({ time: front, operations: front, bits: front }),
 });
 
-/** A run with a knob has a value of that knob. */
-const run: Check<SceneRun> = (value, path) => {
-  const found = runFields(value, path);
-  if (found.knob !== null) count(found.value, `${path}.value`);
-  return found;
-};
-
 const scene = part({
   name: text,
   kind: oneOf(...sceneKinds),
@@ -72,7 +65,7 @@ const scene = part({
   pixels: between(1, Number.MAX_SAFE_INTEGER),
   polygons: count,
   area: size,
-  runs: some(run),
+  runs: some(runOf(runFields, count)),
   scene: file,
 });
 

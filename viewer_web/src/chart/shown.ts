@@ -3,15 +3,12 @@ import type { ChartTexts, SubjectTexts } from '../language/chart-texts.js';
 import type { Language } from '../language/language.js';
 import type { Choice } from './choice.js';
 import type { Chart, Cost, ErrorMeasure } from './format.js';
-import { byCost } from './front.js';
-import { areaOfRight, pointsOf } from './points.js';
+import { areaOfRight, byCost, pointsOf } from './points.js';
 import type { Point } from './points.js';
 import { isHidden, printed, seriesOf } from './series.js';
 import type { Series, Setting } from './series.js';
-import { axesOf, fileOf } from './subject.js';
-import type { Axes } from './subject.js';
-import { viewsOf } from './views.js';
-import type { View } from './views.js';
+import { axesOf, fileOf, viewsOf } from './subject.js';
+import type { Axes, View } from './subject.js';
 
 /** A chart as the components show it. */
 export interface Shown {

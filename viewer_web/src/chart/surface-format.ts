@@ -1,8 +1,8 @@
 import { between, list, oneOf, part, text } from '../trace/check.js';
-import type { Check, Checked } from '../trace/check.js';
+import type { Checked } from '../trace/check.js';
 import { plainKernels } from '../trace/editions.js';
 import type { PlainKernel } from '../trace/editions.js';
-import { count, editions, file, format, orNull, size, some } from './checks.js';
+import { count, editions, file, format, orNull, runOf, size, some } from './checks.js';
 
 /** The kernels that run curves; each has its own colour. */
 export const curveKernels: readonly CurveKernel[] = plainKernels;
@@ -35,18 +35,11 @@ const runFields = part({
   front: part({ time: front, operations: front, samples: front }),
 });
 
-/** A run with a knob has a value of that knob. */
-const run: Check<CurveRun> = (value, path) => {
-  const found = runFields(value, path);
-  if (found.knob !== null) size(found.value, `${path}.value`);
-  return found;
-};
-
 const surface = part({
   name: text,
   curves: count,
   columns: between(1, Number.MAX_SAFE_INTEGER),
-  runs: some(run),
+  runs: some(runOf(runFields, size)),
   surface: file,
 });
 

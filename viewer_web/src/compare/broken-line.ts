@@ -6,7 +6,7 @@ import { texts } from '../i18n/index.js';
 import type { BrokenTexts } from '../language/compare-texts.js';
 import type { Language } from '../language/language.js';
 import { CellPainter, opaque } from '../picture/paint.js';
-import { isPainted } from '../replay/color.js';
+import { isPainted } from '../replay/screen.js';
 import type { Pixels } from '../replay/screen.js';
 import type { Trace } from '../replay/trace.js';
 import type { Deviation } from '../trace/editions.js';
@@ -223,10 +223,4 @@ function paintChanges(canvas: HTMLCanvasElement, own: Pixels, other: Pixels): vo
     Uint32Array.from(columns, (i) => ink(i, j));
   const cells = { width, height, of: [own, other], row };
   new CellPainter().paint(canvas, cells, { x: 0, y: 0, scale: scale * ratio, ratio });
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-broken-line': BrokenLineElement;
-  }
 }

@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { quickRuns } from './quick.js';
+import { quickRuns } from './rival.js';
 import type { With } from './rival.js';
 import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
@@ -13,8 +13,7 @@ import { runLabel } from '../lessons/run-name.js';
 import { kernels, methodNames, offeredNames, runnable, runs, usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import type { Trace } from '../replay/trace.js';
-import { dialogStyle } from '../elements/dialog.style.js';
-import { base } from '../elements/theme.js';
+import { base, dialogStyle } from '../elements/theme.js';
 
 type Field = 'method' | 'edition' | 'kernel';
 type Names = Readonly<Record<string, string>>;
@@ -220,11 +219,5 @@ export class RivalChoiceElement extends LitElement {
     const [file] = this.input.files ?? [];
     this.input.value = '';
     if (file !== undefined) this.choose({ kind: 'file', file });
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-rival-choice': RivalChoiceElement;
   }
 }

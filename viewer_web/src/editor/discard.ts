@@ -3,8 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { dialogStyle } from '../elements/dialog.style.js';
-import { base } from '../elements/theme.js';
+import { base, dialogStyle } from '../elements/theme.js';
 
 const answers = ['stay', 'save', 'discard'] as const;
 export type DiscardAnswer = (typeof answers)[number];

@@ -1,7 +1,7 @@
 import type { Frame } from '../picture/frame.js';
 import { pointIn } from '../picture/own-size.js';
 import type { Sketch } from '../run/sketch.js';
-import { act } from './act.js';
+import { act } from './form.js';
 import { snapped } from './corner-keys.js';
 import type { Place } from './corner-keys.js';
 

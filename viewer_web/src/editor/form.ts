@@ -5,7 +5,16 @@ import type { Language } from '../language/language.js';
 import type { SceneTexts } from '../language/scene-texts.js';
 import type { Act, Editing } from './editor.js';
 import type { Sketch } from '../run/sketch.js';
-import { act } from './act.js';
+
+/** Requests an edit from whatever owns the scene, from anywhere in the player. */
+export function act(from: EventTarget, detail: Act): void {
+  from.dispatchEvent(new CustomEvent<Act>('vidno-act', { detail, bubbles: true, composed: true }));
+}
+
+/** The same for the whole scene: to save it as a file, or to copy a link to it. */
+export function ask(from: EventTarget, what: 'vidno-save' | 'vidno-link'): void {
+  from.dispatchEvent(new Event(what, { bubbles: true, composed: true }));
+}
 
 /** A part of the form of a scene. Its requests are events `vidno-act`. */
 export class FormElement extends LitElement {

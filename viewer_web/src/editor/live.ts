@@ -1,4 +1,4 @@
-import { download, fileName } from '../base/download.js';
+import { download, fileName } from '../base/file.js';
 import type { Header } from '../trace/header.js';
 import { Editor } from './editor.js';
 import type { Act, Editing, Followers } from './editor.js';

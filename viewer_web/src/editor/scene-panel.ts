@@ -1,4 +1,4 @@
-import { html, nothing } from 'lit';
+import { css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { showsOfEdited } from '../algorithm/shows.js';
@@ -8,12 +8,70 @@ import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import { whyRefused } from '../run/refusal.js';
 import { reachesOut } from '../run/sketch.js';
-import { ask } from './act.js';
 import type { Act } from './editor.js';
-import { FormElement } from './form.js';
+import { FormElement, ask } from './form.js';
 import type { LinkMade } from './live.js';
 import './run-form.js';
-import { scenePanelStyle } from './scene-panel.style.js';
+
+/** Fixed tools and a message, and under them the form, which scrolls. */
+const scenePanelStyle = css`
+  :host {
+    display: flex;
+    flex-direction: column;
+    min-height: 0;
+    font-size: 0.8125rem;
+  }
+  .tools {
+    display: flex;
+    flex: none;
+    flex-wrap: wrap;
+    gap: 0.3rem;
+    padding: 0.5rem 0.75rem 0;
+  }
+  .tools button {
+    padding: 0 0.55rem;
+  }
+  .tools .close {
+    margin-left: auto;
+    padding: 0;
+  }
+  .draw[aria-pressed='true'] {
+    background: var(--accent);
+    border-color: var(--accent);
+    color: var(--on-accent);
+  }
+  .message {
+    flex: none;
+    height: 4.4rem;
+    margin: 0.5rem 0.75rem;
+    padding: 0.3rem 0.5rem;
+    overflow: auto;
+    border-radius: 6px;
+    background: var(--well);
+    color: var(--soft);
+    font-size: 0.75rem;
+  }
+  .message span {
+    white-space: pre-line;
+  }
+  .message.refused {
+    background: var(--bad-wash);
+    color: var(--bad);
+  }
+  .scroll {
+    position: relative;
+    flex: 1;
+    min-height: 0;
+    overflow: auto;
+    padding: 0 0.75rem 0.75rem;
+    scrollbar-width: thin;
+  }
+  .icon {
+    width: 2rem;
+    font-size: 1.05rem;
+    line-height: 1;
+  }
+`;
 
 /**
  * The scene as a form, with the actions on the whole scene, and the library's messages. An event `close` asks to close it.

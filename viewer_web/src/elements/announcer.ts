@@ -1,6 +1,38 @@
-import { html } from 'lit';
+import { css, html } from 'lit';
 import type { ReactiveControllerHost, TemplateResult } from 'lit';
 import { keyed } from 'lit/directives/keyed.js';
+
+/** Over the content, for long enough to be read, without moving anything. */
+export const announcerStyle = css`
+  .news {
+    position: absolute;
+    z-index: 4;
+    bottom: 100%;
+    left: 50%;
+    width: max-content;
+    max-width: min(36rem, 100%);
+    transform: translate(-50%, -0.5rem);
+  }
+  .news {
+    pointer-events: none;
+  }
+  .news span:not(.heard, :empty) {
+    display: block;
+    padding: 0.5rem 0.9rem;
+    border-radius: 6px;
+    background: var(--ink);
+    color: var(--panel);
+  }
+  .news span:not(.heard, :empty) {
+    animation: gone 0.3s 7s forwards;
+  }
+  @keyframes gone {
+    to {
+      visibility: hidden;
+      opacity: 0;
+    }
+  }
+`;
 
 /** Announces effects of keys that not everyone can see; shows to everyone why a key had no effect. */
 export class Announcer {

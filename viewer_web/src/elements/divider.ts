@@ -176,9 +176,3 @@ export class DividerElement extends LitElement {
     event.preventDefault();
   };
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-divider': DividerElement;
-  }
-}

@@ -1,11 +1,12 @@
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { keyMap } from '../base/key-map.js';
+import type { ReactiveController, ReactiveControllerHost, TemplateResult } from 'lit';
+import { html, nothing } from 'lit';
+import { keyMap, liveKey } from '../base/key-map.js';
 
 const isSummary = (target: EventTarget | undefined): boolean =>
   target instanceof HTMLElement && target.localName === 'summary';
 
 /** Whether the element in focus handles the key itself. */
-export function takesKey(event: KeyboardEvent): boolean {
+function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
     if (event.key === 'Escape') return false;
@@ -50,4 +51,10 @@ export class Keyboard implements ReactiveController {
     event.preventDefault();
     act();
   };
+}
+
+/** The key beside a button with the same function; nothing if single-character keys are off. */
+export function kbd(name: string): TemplateResult | typeof nothing {
+  const key = liveKey(name);
+  return key === null ? nothing : html`<kbd>${key}</kbd>`;
 }

@@ -4,8 +4,7 @@ import { customElement, property, query } from 'lit/decorators.js';
 import type { KeyUse } from '../language/key-texts.js';
 import type { PageTexts } from '../language/texts.js';
 import { keyMap, keyName, letters } from '../base/key-map.js';
-import { dialogStyle } from './dialog.style.js';
-import { base } from './theme.js';
+import { base, dialogStyle } from './theme.js';
 
 const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['step', ['←', '→']],

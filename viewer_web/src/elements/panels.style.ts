@@ -1,6 +1,32 @@
 import { css, unsafeCSS } from 'lit';
-import { stateParts } from '../algorithm/state-part.js';
-import { panelsPrint } from './panels-print.style.js';
+import { stateParts } from '../algorithm/shows.js';
+import { mostPrinted } from './lists.js';
+
+/** On paper a list states the number of further rows. */
+const panelsPrint = css`
+  .on-paper {
+    display: none;
+  }
+  @media print {
+    :host,
+    .list {
+      overflow: hidden;
+    }
+    .counted tr:nth-child(n + ${mostPrinted + 1}),
+    .on-screen {
+      display: none;
+    }
+    .on-paper {
+      display: block;
+    }
+    .stack {
+      min-height: 0;
+    }
+    .apl {
+      height: auto;
+    }
+  }
+`;
 
 /** The panels of state: tables whose size does not change from step to step. */
 const onScreen = css`

@@ -1,10 +1,16 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
 /**
+ * Milliseconds of rest before anything is computed for a run beyond what a frame needs. During a drag, no run rests that
+ * long.
+ */
+export const rest = 150;
+
+/**
  * Data collected in one pass over a run. Each call continues for about the given time and returns whether the data are
  * complete.
  */
-export interface Reading {
+interface Reading {
   read(milliseconds: number): boolean;
 }
 

@@ -78,9 +78,15 @@ export const base = css`
   ul,
   dl,
   dd,
-  figure {
+  figure,
+  fieldset,
+  legend {
     margin: 0;
     padding: 0;
+  }
+  fieldset {
+    min-width: 0;
+    border: 0;
   }
   [hidden] {
     display: none !important;
@@ -164,3 +170,58 @@ export const base = css`
     }
   }
 `;
+
+/** For screen readers only. */
+export const hiddenStyle = css`
+  .heard {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    margin: -1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+`;
+
+/** A dialog over the page. */
+export const dialogStyle = css`
+  dialog {
+    max-width: min(54rem, calc(100vw - 2rem));
+    padding: 1.25rem 1.5rem;
+    border: 1px solid var(--line);
+    border-radius: var(--radius);
+    background: var(--panel);
+    color: var(--ink);
+  }
+  dialog::backdrop {
+    background: rgb(10 12 18 / 45%);
+  }
+  /* It has the focus at first, but cannot be pressed. */
+  h2:focus {
+    outline: none;
+  }
+  h2 {
+    margin-bottom: 0.75rem;
+    font-size: 1rem;
+    color: var(--ink);
+  }
+`;
+
+/**
+ * The least side of a picture's box. With its margins, a square area then has 280 CSS pixels. The page scrolls if there is
+ * less room.
+ */
+export const leastPicture = css`20rem`;
+
+/** The room for the zoom buttons above a picture that fills the width of a phone. */
+export const zoomButtons = css`1.4rem`;
+
+/** The least side with a border. */
+export const leastPanel = css`calc(20rem + 2px)`;
+
+/** A screen of this height has room for all controls of a lesson below a picture that fills the width of a phone. */
+export const tallScreen = css`740px`;
+
+/** The height of the controls that a lower screen leaves out. */
+export const moreControls = css`5.2rem`;

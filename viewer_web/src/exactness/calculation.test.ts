@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { calculation, hasDrifted } from './calculation.js';
+import { calculation, hasDrifted, inNotation, withoutOne } from './calculation.js';
 import { Fraction } from './fraction.js';
 
 it('adds, multiplies and writes fractions in lowest terms', () => {
@@ -84,4 +84,16 @@ it('gives nothing if an operand is not a number', () => {
       'exact',
     ),
   ).toBe(null);
+});
+
+it('writes operands with the symbols of the listings, and horizons in the language', () => {
+  expect(inNotation('z − against = −1/15 < 0', 'en', 'Z')).toBe('z − Z = −1/15 < 0');
+  expect(inNotation('against = 2/5', 'ru')).toBe('z₀ = 2/5');
+  expect(inNotation('left = 1', 'en')).toBe('x₁ = 1');
+  expect(inNotation('y < upper', 'en')).toBe('y < upper');
+  expect(inNotation('y < upper', 'ru')).toBe('y < верхний');
+});
+
+it('writes whole numbers without a denominator', () => {
+  expect(['4/1', '1/11', '0.5', '−3/1'].map(withoutOne)).toEqual(['4', '1/11', '0.5', '−3']);
 });

@@ -1,3 +1,5 @@
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
 import { relationBy } from '../language/words.js';
 import type { Decision } from '../trace/events.js';
 import type { Operands } from '../trace/values.js';
@@ -7,7 +9,7 @@ import { Fraction, half } from './fraction.js';
  * A decision line by line, as in a calculation by hand: the formula of FORMAT.md, the substituted numbers, and the result.
  * It is mathematical notation with the trace's names of the operands, the same in every language.
  */
-export type Lines = readonly string[];
+type Lines = readonly string[];
 
 /** The operands by name: those of the run, or the right ones. Null if one of them is not a number. */
 type Numbers = ReadonlyMap<string, Fraction>;
@@ -252,3 +254,28 @@ function columns(numbers: Numbers): Lines {
     ...last(numbers, 'max x', greatest(met)),
   ];
 }
+
+/**
+ * A calculation in which the operands have the listing's symbols, or words of the language, instead of the trace's names.
+ * `other` is the symbol of the depth that z is compared with.
+ */
+export function inNotation(line: string, language: Language, other = 'z₀'): string {
+  const { upper, lower } = texts[language].curves;
+  const names = new Map([
+    ['against', other],
+    ['left', 'x₁'],
+    ['right', 'x₂'],
+    ['upper', upper],
+    ['lower', lower],
+  ]);
+  return line.replace(/\b[a-z]+\b/gu, (name) => names.get(name) ?? name);
+}
+
+/** A number of a trace, whole ones without a denominator. */
+export const withoutOne = (text: string): string => text.replace(/\/1$/u, '');
+
+/** A whole number as an exponent. */
+export const superscript = (exponent: number): string =>
+  String(exponent).replace(/[\d-]/gu, (sign) =>
+    sign === '-' ? '⁻' : ('⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)] ?? ''),
+  );

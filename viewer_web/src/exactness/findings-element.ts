@@ -10,8 +10,7 @@ import type { ExactTexts } from '../language/exact-texts.js';
 import { isSeen, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
-import { inNotation, withoutOne } from './notation.js';
-import { superscript } from './superscript.js';
+import { inNotation, superscript, withoutOne } from './calculation.js';
 
 /** The number of rows shown until the reader asks for more. */
 const page = 60;
@@ -36,7 +35,6 @@ export class FindingsElement extends LitElement {
       }
       table {
         width: 100%;
-        border-collapse: collapse;
         font-size: 0.75rem;
       }
       th,
@@ -198,11 +196,5 @@ export class FindingsElement extends LitElement {
     this.dispatchEvent(
       new CustomEvent('command', { detail: { do: 'seek', step }, bubbles: true, composed: true }),
     );
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-findings': FindingsElement;
   }
 }

@@ -82,3 +82,8 @@ export const toldCheck = (trace: Trace): Check => asTold[toldOf(trace)];
 /** The verdict on a step, from the check or else from the trace itself. */
 export const verdictBy = (check: Check, trace: Trace, step: number): Verdict | null =>
   check.is === 'found' ? check.truth.verdictAt(step) : verdictOf(trace, step);
+
+/** Requests a check of the run from the owner of the library, from anywhere in the player. */
+export function askCheck(from: EventTarget): void {
+  from.dispatchEvent(new Event('vidno-check', { bubbles: true, composed: true }));
+}

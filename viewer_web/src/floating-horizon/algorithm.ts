@@ -3,7 +3,7 @@ import { columnThing, curveThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import type { Event } from '../trace/events.js';
 import { flags, horizons, meeting, sideEdge } from './ask.js';
-import { figureOf } from './figure.js';
+import { figureOf } from './shapes.js';
 import { ColumnWatch } from './history.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';

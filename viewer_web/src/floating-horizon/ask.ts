@@ -11,7 +11,7 @@ import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
 import type { N } from '../trace/values.js';
-import { sideBeside } from './sides.js';
+import { sideBeside } from './state.js';
 
 /** The most columns in one question. */
 const mostColumns = 4;

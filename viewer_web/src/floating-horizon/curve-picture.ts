@@ -1,10 +1,10 @@
 import { css, html, nothing, svg } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { base } from '../elements/theme.js';
+import { LayerSwitches } from '../elements/layer-switches.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { CurveHistoryTexts } from '../language/curve-texts.js';
+import type { CurveHistoryTexts, CurveTexts } from '../language/curve-texts.js';
 import { curvesStyle } from '../picture/curves.style.js';
 import { drawn } from '../picture/drawn.js';
 import type { Frame, Point } from '../picture/frame.js';
@@ -12,10 +12,16 @@ import { marksStyle } from '../picture/marks.style.js';
 import { pictureStyle } from '../picture/picture.style.js';
 import type { Pixel } from '../picture/pixel.js';
 import { PlaneElement } from '../picture/plane.js';
-import { allLayers } from './layers.js';
-import type { Layer } from './layers.js';
+import type { Layer } from './shapes.js';
 import './sample-handles.js';
-import { columnShape, curveShapes, curvesToPoint } from './shapes.js';
+import {
+  allLayers,
+  columnShape,
+  curveLayers,
+  curveShapes,
+  curvesToPoint,
+  linesAlone,
+} from './shapes.js';
 
 /** The lines drawn so far, and over them the state of the procedure: curves and columns. */
 @customElement('vidno-curve-picture')
@@ -92,8 +98,18 @@ export class CurvePictureElement extends PlaneElement {
   }
 }
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-curve-picture': CurvePictureElement;
+/** The layers of the picture of curves. */
+@customElement('vidno-curve-layers')
+export class CurveLayersElement extends LayerSwitches<Layer> {
+  protected override readonly all = curveLayers;
+  protected override readonly key = 'L';
+
+  protected override get names(): CurveTexts {
+    return texts[this.view.language].curves;
+  }
+
+  /** Switches between the lines alone and everything. */
+  next(): void {
+    this.show(this.layers.size === 1 && this.layers.has('lines') ? allLayers : linesAlone);
   }
 }

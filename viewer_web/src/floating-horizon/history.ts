@@ -7,8 +7,7 @@ import { only } from '../replay/wanted.js';
 import type { Wanted } from '../replay/wanted.js';
 import type { Detail, Event, EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import { isLostBelow } from './sides.js';
-import { emptyFloatingHorizon } from './state.js';
+import { emptyFloatingHorizon, isLostBelow } from './state.js';
 
 type Judge<K extends EventName> = (event: Event<K>, x: number) => Outcome | null;
 

@@ -1,21 +1,46 @@
-import { LitElement, html } from 'lit';
+import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import type { Flag } from './events.js';
-import { flagLooks } from './flag-looks.js';
+import type { FloatingHorizon } from '../replay/values.js';
+import { flagLooks } from './shapes.js';
 import { emptyFloatingHorizon } from './state.js';
-import type { FloatingHorizon, Looked } from './state.js';
+import type { Flag, Looked } from './state.js';
 import { texts } from '../i18n/index.js';
 import type { CurveTexts } from '../language/curve-texts.js';
 import { columnThing, curveThing } from '../algorithm/pointed.js';
 import type { N, Sample } from '../trace/values.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { horizonPanelStyle } from './panel.style.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
+
+const horizonPanelStyle = css`
+  .values.two {
+    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+  }
+  .rows {
+    table-layout: fixed;
+  }
+  .rows th:first-child {
+    width: 3.8rem;
+  }
+  .rows th:nth-child(2) {
+    width: 5.2rem;
+  }
+  .rows th[scope='row'] {
+    font-size: 0.8125rem;
+  }
+  .rows td {
+    overflow: hidden;
+    font-size: 0.8125rem;
+    text-overflow: ellipsis;
+  }
+  .rows tr.current :is(th, td) {
+    font-weight: 700;
+  }
+`;
 
 const columnsShown = 9;
 

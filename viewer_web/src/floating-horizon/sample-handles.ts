@@ -7,14 +7,14 @@ import { texts } from '../i18n/index.js';
 import { led } from '../editor/corner-keys.js';
 import type { Place } from '../editor/corner-keys.js';
 import type { Sketch } from '../run/sketch.js';
-import { overlayStyle } from '../picture/overlay.style.js';
+import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import type { Sample } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
-import { act } from '../editor/act.js';
+import { act } from '../editor/form.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
-import { hasPoint } from './pieces.js';
+import { hasPoint } from './shapes.js';
 import { base } from '../elements/theme.js';
 
 /** CSS pixels: the radius of handles, and of the area around them that takes the pointer. */
@@ -104,11 +104,5 @@ export class SampleHandlesElement extends LitElement {
   /** Scrolls the focused sample into the picture. */
   private follow([x, y]: Place): void {
     this.dispatchEvent(new CustomEvent<Place>('follow', { detail: [x, y] }));
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-sample-handles': SampleHandlesElement;
   }
 }

@@ -1,20 +1,54 @@
 import { toNumber } from '../language/words.js';
+import { figureDocument, figureFrame, pathOf } from '../picture/figure.js';
 import type { Frame } from '../picture/frame.js';
 import { isShown, spot } from '../picture/mark.js';
 import type { Spot } from '../picture/mark.js';
-import { boxData, circleData, pathData } from '../picture/shapes.js';
+import { boxData, circleData, diamondData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
 import { curveThing, thingOf } from '../algorithm/pointed.js';
 import { hasDefect } from '../trace/editions.js';
 import type { FloatingHorizonEvents, Event } from '../trace/events.js';
-import type { Area, Curve } from '../trace/header.js';
+import type { Area, Curve, CurveSample } from '../trace/header.js';
 import type { View } from '../algorithm/view.js';
-import { flagData, flagLooks } from './flag-looks.js';
-import type { FlagLook } from './flag-looks.js';
-import type { Layer } from './layers.js';
-import { hasPoint, piecesOf } from './pieces.js';
-import type { Heights } from './state.js';
+import type { Sample } from '../trace/values.js';
+import type { Flag, Heights } from './state.js';
 import type { Line } from '../replay/values.js';
+
+export const hasPoint = (sample: CurveSample): sample is Sample => sample[1] !== null;
+
+/** Neighbouring samples with points, at least two: a curve with gaps has several pieces, or none. */
+export function piecesOf(curve: Curve): readonly (readonly Sample[])[] {
+  const pieces: Sample[][] = [[]];
+  for (const sample of curve) {
+    if (hasPoint(sample)) pieces.at(-1)?.push(sample);
+    else pieces.push([]);
+  }
+  return pieces.filter(({ length }) => length >= 2);
+}
+
+type FlagLook = 'above' | 'below' | 'hidden' | 'both';
+export const flagLooks: Readonly<Record<`${Flag}`, FlagLook>> = {
+  1: 'above',
+  '-1': 'below',
+  0: 'hidden',
+  2: 'both',
+};
+
+/** A triangle that points towards the curve, a ring for hidden, a diamond for both. */
+const flagData: Readonly<Record<FlagLook, (at: Spot, r: number) => string>> = {
+  above: ([x, y], r) => `M${x - r} ${y + 0.7 * r}h${2 * r}l${-r} ${-1.7 * r}Z`,
+  below: ([x, y], r) => `M${x - r} ${y - 0.7 * r}h${2 * r}l${-r} ${1.7 * r}Z`,
+  hidden: (at, r) => circleData(at, 0.8 * r),
+  both: diamondData,
+};
+
+/** The layers in the picture of a run of curves, each with a switch. */
+export const curveLayers = ['lines', 'curve', 'horizons', 'columns', 'edges'] as const;
+export type Layer = (typeof curveLayers)[number];
+
+/** The choice of all layers. */
+export const allLayers: ReadonlySet<Layer> = new Set(curveLayers);
+export const linesAlone: ReadonlySet<Layer> = new Set<Layer>(['lines']);
 
 /** CSS pixels: the largest mark of a flag, and a dot of the step. */
 const flagSize = 4;
@@ -225,7 +259,7 @@ export const columnShape = (look: 'chosen-column' | 'cursor', x: number, area: A
   d: columnData(x, area),
 });
 
-export const areaShape = ({ x, y, width, height }: Area): Shape => ({
+const areaShape = ({ x, y, width, height }: Area): Shape => ({
   look: 'area',
   d: boxData([x, y, width, height]),
 });
@@ -256,4 +290,11 @@ export function curvesToPoint(curves: readonly Curve[]): readonly Shape[] {
     d: curveData(curve),
     thing: curveThing(i),
   }));
+}
+
+/** The picture of curves at a step with all layers, as a separate SVG document; see `figureOf`. */
+export function figureOf(view: View): string {
+  const frame = figureFrame(view);
+  const shapes = curveShapes({ ...view, pointed: null, asked: [] }, frame, allLayers);
+  return figureDocument(view, frame, shapes.map((shape) => pathOf(shape, frame.scale)).join(''));
 }

@@ -1,4 +1,4 @@
-import { html, nothing } from 'lit';
+import { css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
@@ -8,8 +8,44 @@ import { texts } from '../i18n/index.js';
 import type { SurfaceTexts } from '../language/curve-texts.js';
 import { FormElement } from '../editor/form.js';
 import { formStyle } from '../elements/form.style.js';
-import { surfaceFormStyle } from './surface-form.style.js';
 import { base } from '../elements/theme.js';
+
+const surfaceFormStyle = css`
+  .function {
+    display: flex;
+    gap: 0.4rem;
+    align-items: center;
+    font-family: var(--mono);
+  }
+  .function input {
+    flex: 1;
+    min-width: 0;
+    min-height: 2rem;
+    padding: 0 0.4rem;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    background: var(--panel);
+    font-family: var(--mono);
+    font-size: 0.8125rem;
+  }
+  .hint {
+    margin: 0.2rem 0 0.4rem;
+    color: var(--soft);
+    font-size: 0.6875rem;
+  }
+  fieldset {
+    margin: 0.5rem 0 0;
+  }
+  legend {
+    color: var(--soft);
+    font-size: 0.75rem;
+    font-weight: 600;
+  }
+  .by-function {
+    margin-top: 0.4rem;
+    padding: 0 0.55rem;
+  }
+`;
 
 type Range = 'x' | 'z';
 type Way = 'origin' | 'across' | 'back';

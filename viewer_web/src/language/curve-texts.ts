@@ -1,4 +1,4 @@
-import type { Layer } from '../floating-horizon/layers.js';
+import type { Layer } from '../floating-horizon/shapes.js';
 import type { N } from '../trace/values.js';
 import type { HistoryTexts } from './texts.js';
 

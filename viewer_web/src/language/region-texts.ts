@@ -1,4 +1,4 @@
-import type { RegionLayer } from '../weiler-atherton/layers.js';
+import type { RegionLayer } from '../weiler-atherton/shapes.js';
 import type { PluralForms } from './words.js';
 
 /** The texts of runs with regions. */

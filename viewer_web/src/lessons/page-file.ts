@@ -1,4 +1,4 @@
-import { jsonInPage } from '../base/json-in-page.js';
+import { jsonInPage } from '../base/markup.js';
 import { blockOf } from './lessons.js';
 import type { Lesson } from './lessons.js';
 

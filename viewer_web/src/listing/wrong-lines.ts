@@ -1,8 +1,7 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import { dialogStyle } from '../elements/dialog.style.js';
-import { base } from '../elements/theme.js';
+import { base, dialogStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { Deviation, Edition } from '../trace/editions.js';
@@ -137,10 +136,4 @@ export class WrongLinesElement extends LitElement {
     const now = buttons.findIndex((each) => each.matches(':focus'));
     buttons.at((now + by) % buttons.length)?.focus();
   };
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-wrong-lines': WrongLinesElement;
-  }
 }

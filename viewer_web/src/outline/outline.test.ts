@@ -2,8 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { linesOf, textOf, traceNames, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
-import { Outline } from './outline.js';
-import { sayNode } from './say.js';
+import { Outline, sayNode } from './outline.js';
 import { none } from './table.js';
 
 async function outlineIn(name: string): Promise<Outline> {

@@ -5,7 +5,22 @@ import { base } from '../elements/theme.js';
 import { whole } from '../language/words.js';
 import type { Frame } from './frame.js';
 import type { Pixel } from './pixel.js';
-import { ticksIn } from './ticks.js';
+
+/** The distance of numbers on an axis: 1, 2, 5, 10, 20, 50 and so on, at least a given distance. */
+export function stepOf(least: number): number {
+  for (let ten = 1; ; ten *= 10) {
+    const found = [1, 2, 5].find((n) => n * ten >= least);
+    if (found !== undefined) return found * ten;
+  }
+}
+
+/** The numbers on an axis in a range, at least a given distance apart. */
+export function ticksIn(first: number, last: number, least: number): number[] {
+  const step = stepOf(least);
+  const start = Math.ceil(first / step) * step;
+  const count = Math.max(0, Math.floor((last - start) / step) + 1);
+  return Array.from({ length: count }, (_, i) => start + i * step);
+}
 
 /** CSS pixels: the distance of numbers from the area, their distance from the edge of the box, and the width of a digit. */
 const off = 5;
@@ -108,11 +123,5 @@ export class AxesElement extends LitElement {
 
   private kind(axis: 0 | 1, n: number): string {
     return this.pointed?.[axis] === n ? 'pointed' : '';
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-axes': AxesElement;
   }
 }

@@ -1,11 +1,12 @@
 import type { View } from '../algorithm/view.js';
 import type { Event, EventName } from '../trace/events.js';
+import type { Polygon } from '../trace/header.js';
 import type { N, Point } from '../trace/values.js';
 import { box, path, point } from './mark.js';
 import type { Mark, Role } from './mark.js';
 
 /** The marks of an event on the picture. */
-export type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
+type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
 export type Draws = { readonly [K in EventName]?: Draw<K> };
 
 /** Boxes around runs of pixels in a row. */
@@ -41,4 +42,17 @@ export function eventMarks(draws: Draws, view: View): readonly Mark[] {
   if (event === null) return [];
   const marks = (draws[event.e] ?? common[event.e]) as Draw<EventName> | undefined;
   return marks?.(event, view) ?? [];
+}
+
+/** The polygon of the step, or else the current polygon of the algorithm. */
+export function polygonInHand(
+  { event, header }: View,
+  id: string | null = null,
+): Polygon | undefined {
+  const about = event && 'polygon' in event ? event.polygon : id;
+  return header.scene.byId.get(about ?? '');
+}
+
+export function polygonMark(polygon: Polygon | undefined): readonly Mark[] {
+  return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
 }

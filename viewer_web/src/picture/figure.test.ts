@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
-import { toColor } from '../replay/color.js';
+import { toColor } from '../replay/screen.js';
 import type { Event } from '../trace/events.js';
 import type { View } from '../algorithm/view.js';
 import { viewOf } from '../algorithm/view.js';

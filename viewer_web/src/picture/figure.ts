@@ -1,5 +1,5 @@
 import type { View } from '../algorithm/view.js';
-import { element, escaped } from '../base/xml.js';
+import { element, escaped } from '../base/markup.js';
 import { nameIn } from '../language/scene-name.js';
 import { sceneDrawing, stepDrawing } from './drawing.js';
 import { Frame } from './frame.js';

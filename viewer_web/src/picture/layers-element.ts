@@ -8,9 +8,8 @@ import type { Difference, Exact, Layer } from './layers.js';
 import { stops } from './ramp.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { textureStyle } from '../elements/texture.style.js';
-import { base } from '../elements/theme.js';
+import { textureStyle } from './picture.style.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 
 /** Requests another layer from the owner of the player. */
 export function askForLayer(from: EventTarget, detail: Layer): void {
@@ -162,11 +161,5 @@ export class LayersElement extends LitElement {
       </p>`;
     }
     return layer === 'picture' ? nothing : html`<p class="status">${this.words()}</p>`;
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-layers': LayersElement;
   }
 }

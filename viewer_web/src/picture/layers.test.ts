@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { toPixel } from '../replay/color.js';
+import { toPixel } from '../replay/screen.js';
 import { headerOf, textOf, textWith, traceOf, parseHeader } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { cellsOf, depthRange, differenceOf, layersOf } from './layers.js';

@@ -1,6 +1,5 @@
-import { isPainted } from '../replay/color.js';
 import type { Pixels } from '../replay/screen.js';
-import { keepsDepths } from '../replay/screen.js';
+import { isPainted, keepsDepths } from '../replay/screen.js';
 import type { Screen } from '../replay/screen.js';
 import type { Header, Scene } from '../trace/header.js';
 import { opaque, textured } from './paint.js';

@@ -1,4 +1,4 @@
-import { toColor } from '../replay/color.js';
+import { toColor } from '../replay/screen.js';
 import type { Pixels } from '../replay/screen.js';
 import type { Area } from '../trace/header.js';
 import { boxData } from './shapes.js';

@@ -1,11 +1,11 @@
 import { nobody } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import type { View } from '../algorithm/view.js';
-import { isPainted, toColor } from '../replay/color.js';
+import { isPainted, toColor } from '../replay/screen.js';
 import type { Screen } from '../replay/screen.js';
 import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
-import { planeOf } from '../trace/plane.js';
+import { planeOf } from '../trace/polygon.js';
 import type { N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
 

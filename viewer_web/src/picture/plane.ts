@@ -7,9 +7,8 @@ import type { Actions } from '../elements/keyboard.js';
 import { texts } from '../i18n/index.js';
 import { nameIn } from '../language/scene-name.js';
 import type { HistoryTexts } from '../language/texts.js';
-import type { Area } from '../trace/header.js';
+import type { Area, Scene } from '../trace/header.js';
 import './axes.js';
-import { extentOf } from './extent.js';
 import { Frame, marginIn } from './frame.js';
 import type { Point, Rectangle, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
@@ -19,6 +18,29 @@ import type { Pixel } from './pixel.js';
 import { extended } from './target.js';
 import './targets-element.js';
 import './zoom-bar.js';
+
+const known = new WeakMap<Scene, Rectangle>();
+
+/** The extent of a scene: the area and all vertices, even those outside. The same scene always gives the same object. */
+function extentOf(scene: Scene): Rectangle {
+  const found = known.get(scene) ?? boundsOf(scene);
+  known.set(scene, found);
+  return found;
+}
+
+function boundsOf({ area, polygons }: Scene): Rectangle {
+  let [left, top] = [area.x, area.y];
+  let [right, bottom] = [area.x + area.width, area.y + area.height];
+  for (const { vertices } of polygons) {
+    for (const [x, y] of vertices) {
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      top = Math.min(top, y);
+      bottom = Math.max(bottom, y);
+    }
+  }
+  return [left, top, right - left, bottom - top];
+}
 
 /** The factor by which a key or a button magnifies the picture. */
 const zoomStep = 1.5;

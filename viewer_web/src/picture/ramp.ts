@@ -1,4 +1,4 @@
-import { toPixel } from '../replay/color.js';
+import { toPixel } from '../replay/screen.js';
 
 /**
  * Nine colours of viridis (Smith and van der Walt, CC0), evenly spaced in lightness, whatever hues the eye distinguishes.

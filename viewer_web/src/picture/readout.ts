@@ -80,9 +80,3 @@ export class ReadoutElement extends LitElement {
 /** An equals sign, unless the number has the mark of a shortened number. */
 const equals = (z: string): string =>
   z.startsWith('≈') ? `z ≈ ${z.replace(/^≈+/u, '')}` : `z = ${z}`;
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-readout': ReadoutElement;
-  }
-}

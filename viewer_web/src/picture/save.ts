@@ -3,10 +3,9 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { View } from '../algorithm/view.js';
-import { download, fileName } from '../base/download.js';
+import { download, fileName } from '../base/file.js';
 import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
-import { pngOf } from './png.js';
 
 /** The width in pixels: enough for a slide or a column of print. */
 const width = 2000;
@@ -63,4 +62,30 @@ export class SaveElement extends LitElement {
       ${kind.toUpperCase()}
     </button>`;
   }
+}
+
+/** An SVG document as an image of a width in pixels. */
+async function pngOf(figure: string, width: number): Promise<Blob> {
+  const address = URL.createObjectURL(new Blob([figure], { type: 'image/svg+xml' }));
+  try {
+    const image = new Image();
+    image.src = address;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = width;
+    canvas.height = Math.round((width * image.naturalHeight) / image.naturalWidth);
+    canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return await encoded(canvas);
+  } finally {
+    URL.revokeObjectURL(address);
+  }
+}
+
+function encoded(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => {
+      if (blob === null) reject(new Error('no image'));
+      else resolve(blob);
+    }, 'image/png');
+  });
 }

@@ -1,6 +1,6 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import { outlines } from '../trace/faces.js';
-import type { OutlineLine } from '../trace/faces.js';
+import { outlines } from '../trace/polygon.js';
+import type { OutlineLine } from '../trace/polygon.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
 import type { Mark } from './mark.js';

@@ -3,7 +3,7 @@ import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import type { Frame } from './frame.js';
-import { overlayStyle } from './overlay.style.js';
+import { overlayStyle } from './picture.style.js';
 import { pointIn } from './own-size.js';
 import { shapesOf } from './shapes.js';
 import type { Target } from './target.js';
@@ -114,10 +114,4 @@ function onKey(event: KeyboardEvent, press: () => void): void {
   if (event.key !== 'Enter' && event.key !== ' ') return;
   event.preventDefault();
   press();
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-targets': TargetsElement;
-  }
 }

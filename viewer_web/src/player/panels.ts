@@ -1,4 +1,4 @@
-import type { PageView } from '../base/page-view.js';
+import type { PageView } from '../base/setting.js';
 import type { Side } from '../history/side-name.js';
 
 /** The panels beside the picture. */

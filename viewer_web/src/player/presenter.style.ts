@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { leastPanel } from '../elements/least-picture.js';
+import { leastPanel } from '../elements/theme.js';
 
 /** For a projector: the content of 850 pixels, as large as the screen allows. */
 export const presenterStyle = css`

@@ -1,7 +1,7 @@
 import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import type { StatePart } from '../algorithm/state-part.js';
+import type { StatePart } from '../algorithm/shows.js';
 import { placesOf, showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';

@@ -17,7 +17,7 @@ import type { Trace } from '../replay/trace.js';
 import '../strip/transport.js';
 import type { TransportElement } from '../strip/transport.js';
 import type { Bookmarks } from '../time/bookmarks.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 import '../time/travel.js';
 import { Presenter } from './presenter.js';
 import { TimedElement } from './timed.js';

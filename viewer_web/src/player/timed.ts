@@ -4,7 +4,7 @@ import { property } from 'lit/decorators.js';
 import { isSpeed } from '../base/setting.js';
 import { Clock } from '../elements/clock.js';
 import type { Trace } from '../replay/trace.js';
-import type { Command } from '../time/command.js';
+import type { Command } from '../time/travel.js';
 
 /** An element at a step of a trace, which can play from there. An event `vidno-step` reports each new step. */
 export class TimedElement extends LitElement {

@@ -9,15 +9,14 @@ import type { Act, Editing } from '../editor/editor.js';
 import { refusalOf } from '../run/refusal.js';
 import * as sketch from '../run/sketch.js';
 import type { Spot, Vertex } from '../run/sketch.js';
-import { overlayStyle } from '../picture/overlay.style.js';
+import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
-import { act } from '../editor/act.js';
+import { act } from '../editor/form.js';
 import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 
 const mostHandles = 400;
 /** CSS pixels. */
@@ -208,11 +207,5 @@ export class HandlesElement extends LitElement {
 
   private act(what: Act): void {
     act(this, what);
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-handles': HandlesElement;
   }
 }

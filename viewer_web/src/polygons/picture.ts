@@ -1,11 +1,14 @@
 import { html, nothing, svg } from 'lit';
-import type { PropertyValues, SVGTemplateResult } from 'lit';
+import type {
+  PropertyValues,
+  ReactiveController,
+  ReactiveControllerHost,
+  SVGTemplateResult,
+} from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import type { Editing } from '../editor/editor.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { Printing } from '../elements/printing.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
 import { sceneDrawing, stepDrawing } from '../picture/drawing.js';
@@ -29,6 +32,30 @@ import type { Shape } from '../picture/shapes.js';
 import { shapesToPoint } from '../picture/still.js';
 import type { Scene } from '../trace/header.js';
 import './handles.js';
+
+/** Whether the page is being printed. The drawings for paper are made only then. */
+class Printing implements ReactiveController {
+  now = false;
+
+  constructor(private readonly host: ReactiveControllerHost) {
+    host.addController(this);
+  }
+
+  hostConnected(): void {
+    window.addEventListener('beforeprint', this.follow);
+    window.addEventListener('afterprint', this.follow);
+  }
+
+  hostDisconnected(): void {
+    window.removeEventListener('beforeprint', this.follow);
+    window.removeEventListener('afterprint', this.follow);
+  }
+
+  private readonly follow = ({ type }: Event): void => {
+    this.now = type === 'beforeprint';
+    this.host.requestUpdate();
+  };
+}
 
 const none: readonly Shape[] = [];
 

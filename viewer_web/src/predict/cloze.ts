@@ -1,4 +1,4 @@
-import { element, writable } from '../base/xml.js';
+import { element, writable } from '../base/markup.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { tolerance } from './grade.js';

@@ -8,10 +8,9 @@ import { everyQuestion } from '../testing/questions.js';
 import { headerOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
 import { grade } from './grade.js';
 import type { Answer } from './grade.js';
-import { moodleXml } from './moodle.js';
+import { moodleXml, spread } from './moodle.js';
 import { parts as forms } from './question.js';
 import type { Part, Question } from './question.js';
-import { spread } from './spread.js';
 
 const schema = fileURLToPath(new URL('../../test-data/moodle.rng', import.meta.url));
 

@@ -2,7 +2,7 @@ import { algorithmOf } from '../algorithm/algorithm.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { toBase64 } from '../base/base64.js';
-import { element, escaped } from '../base/xml.js';
+import { element, escaped } from '../base/markup.js';
 import { texts } from '../i18n/index.js';
 import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
@@ -10,10 +10,43 @@ import { nameIn } from '../language/scene-name.js';
 import type { Trace } from '../replay/trace.js';
 import { clozeOf, inert } from './cloze.js';
 import { factsOf } from './facts.js';
-import type { Question } from './question.js';
-import { reasonsOf } from './reasons.js';
-import { sayIntro } from './say.js';
-import { spread } from './spread.js';
+import type { Kind, Question } from './question.js';
+import { kindsOf, nextQuestion } from './questions.js';
+import { reasonsOf, sayIntro } from './say.js';
+
+/** At most the given number of questions of a kind, spread over the run. */
+function paced(trace: Trace, kind: Kind, count: number): readonly Question[] {
+  const stride = trace.timeline.length / count;
+  const wanted = new Set([kind]);
+  const found: Question[] = [];
+  let next = nextQuestion(trace, 1, wanted, []);
+  while (next !== null) {
+    found.push(next);
+    const from = Math.max(next.until, Math.ceil(next.step + stride));
+    next = nextQuestion(trace, from, wanted, []);
+  }
+  return found;
+}
+
+/** The given number of items, spread over a whole list. */
+const thinned = <T>(list: readonly T[], count: number): readonly T[] =>
+  list.filter(
+    (_, i) => Math.floor((i * count) / list.length) !== Math.floor(((i - 1) * count) / list.length),
+  );
+
+/** At most the given number of questions from the whole run, evenly by kind; always the same ones. */
+export function spread(trace: Trace, count: number): readonly Question[] {
+  const byKind = kindsOf(trace.header)
+    .map((kind) => paced(trace, kind, count))
+    .sort((a, b) => a.length - b.length);
+  const chosen: Question[] = [];
+  // The rare kinds come first, and the others share the rest.
+  byKind.forEach((questions, i) => {
+    const share = Math.floor((count - chosen.length) / (byKind.length - i));
+    chosen.push(...thinned(questions, Math.min(share, questions.length)));
+  });
+  return chosen.sort((a, b) => a.step - b.step);
+}
 
 /** The number of questions by default. */
 export const usualCount = 20;

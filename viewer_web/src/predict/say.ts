@@ -2,6 +2,7 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { withoutDoubledSigns } from '../language/words.js';
 import type { Relation } from '../language/words.js';
+import type { Trace } from '../replay/trace.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import { between, columnsOf, none, parts } from './question.js';
@@ -17,6 +18,7 @@ import type {
   relations,
   tests,
 } from './question.js';
+import type { Wrong } from './sheet.js';
 
 type Lies = (typeof relations)[number];
 type Test = (typeof tests)[number];
@@ -120,3 +122,22 @@ export function sayRight(part: Part, language: Language): string {
   if (form === 'table') return right.map((_, i) => sayRightCell(part, i, language)).join('; ');
   return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');
 }
+
+/** The part of a step that answers a question. */
+export interface Reason {
+  readonly step: number;
+  readonly said: string;
+}
+
+/** The reasons for the answer to a question. */
+export function reasonsOf(
+  { timeline }: Trace,
+  { because }: Question,
+  language: Language,
+): readonly Reason[] {
+  return because.map((step) => ({ step, said: timeline.sentence(step, language) }));
+}
+
+/** The step that decides the first wrong entry of an answer to a part. */
+export const stepAgainst = ({ until }: Question, part: Part, { value, at }: Wrong): number =>
+  part.decidedBy?.(value, at) ?? until;

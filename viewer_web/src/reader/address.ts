@@ -4,10 +4,8 @@ import type { Carried } from '../editor/live.js';
 import type { Pixel } from '../picture/pixel.js';
 import { isLayer } from '../picture/layers.js';
 import type { Layer } from '../picture/layers.js';
-import { isPageView } from '../base/page-view.js';
-import type { PageView } from '../base/page-view.js';
-import { parseSetting, stepIn, writeSetting } from '../base/setting.js';
-import type { Setting } from '../base/setting.js';
+import { isPageView, parseSetting, stepIn, writeSetting } from '../base/setting.js';
+import type { PageView, Setting } from '../base/setting.js';
 import { formatBookmarks, parseBookmarks } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 

@@ -1,12 +1,42 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
+import type { Language } from '../language/language.js';
+import { excerpt } from '../listing/listings.js';
 import './command.js';
-import { formula } from './formula.js';
-import { inlines, plainWords } from './inlines.js';
-import { listing } from './listing.js';
-import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';
+import { formula, inlines, plainWords } from './inlines.js';
+import type {
+  Align,
+  Block,
+  Blocks,
+  Figure,
+  Heading,
+  Inlines,
+  PrintedListing,
+  Question,
+  Table,
+} from './story.js';
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
+
+/** Procedures in the text of a lesson, line by line with their labels. */
+function listing({ names, edition }: PrintedListing, language: Language): TemplateResult {
+  return html`<div class="listing">
+    ${excerpt(names, edition, language).map(
+      ({ name, title, takes, lines }) =>
+        html`<p><b>${name}</b>(${takes}) <span class="title">${title}</span></p>
+          <ol>
+            ${lines.map(
+              ({ at, indent, text, defects }) =>
+                html`<li>
+                  <span class="at">${at}</span>
+                  <code .style=${`--indent: ${indent}`}>${text}</code>
+                  <span class="defects">${defects.join(' ')}</span>
+                </li>`,
+            )}
+          </ol>`,
+    )}
+  </div>`;
+}
 
 /** A paragraph of at most this many characters takes three lines in print. */
 const longestShort = 280;

@@ -1,12 +1,28 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
+import { guard } from 'lit/directives/guard.js';
+import temml from 'temml';
 import { withTerms } from '../elements/term.js';
-import { formula } from './formula.js';
 import { glued, withoutBadBreaks } from './glue.js';
 import type { Glued } from './glue.js';
 import type { Inline, Inlines, PinLink } from './story.js';
 import { withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
+
+/** A TeX formula as MathML, on a line of its own or in text. Invalid TeX is shown as written. */
+export function formula(tex: string, isOnItsOwn = false): TemplateResult {
+  return html`${guard([tex, isOnItsOwn], () => mathOf(tex, isOnItsOwn))}`;
+}
+
+function mathOf(tex: string, displayMode: boolean): Node | TemplateResult {
+  const box = document.createElement('span');
+  try {
+    temml.render(tex, box, { displayMode, throwOnError: true });
+    return box.firstChild ?? html``;
+  } catch {
+    return html`<code class="tex">${tex}</code>`;
+  }
+}
 
 type Told = string | TemplateResult;
 

@@ -13,14 +13,13 @@ import {
 } from '../trace/check.js';
 import type { Check } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
-import { stateParts } from '../algorithm/state-part.js';
-import type { StatePart } from '../algorithm/state-part.js';
+import { stateParts } from '../algorithm/shows.js';
+import type { StatePart } from '../algorithm/shows.js';
 import { edition } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
-import { boundedText } from '../base/bounded-text.js';
 import { inEachLanguage } from '../language/language.js';
 import type { Bilingual, Language } from '../language/language.js';
-import { toUtf8 } from '../base/text-file.js';
+import { boundedText, toUtf8 } from '../base/file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
 

@@ -3,10 +3,10 @@ import { samples } from '../testing/samples.js';
 import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { emptyWarnock } from '../warnock/state.js';
-import type { Warnock } from '../warnock/state.js';
 import { emptyZBuffer } from '../zbuffer/state.js';
 import type { ZBuffer } from '../zbuffer/state.js';
 import type { Trace } from './trace.js';
+import type { Warnock } from './values.js';
 
 const warnockAt = ({ timeline }: Trace, step: number): Warnock =>
   timeline.seek(step).values.warnock ?? emptyWarnock;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { layersOf } from '../picture/layers.js';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event, Method } from '../trace/events.js';
-import { toPixel } from './color.js';
+import { toPixel } from './screen.js';
 
 /** Milliseconds for which a page may block; a busy machine takes several times as long. */
 const patience = 4000;

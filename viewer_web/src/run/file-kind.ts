@@ -1,4 +1,4 @@
-import { textStream } from '../base/text-file.js';
+import { textStream } from '../base/file.js';
 
 /** The kind of a file. The library reads scenes, of polygons or of curves, and reports their errors. */
 export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';

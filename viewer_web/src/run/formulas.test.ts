@@ -4,9 +4,17 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
-import { chance } from '../testing/chance.js';
 import { Library } from './library.js';
 import { faultsOf, inWordsOf } from './refusal.js';
+
+/** Pseudorandom numbers below `n`, by the generator of Park and Miller. */
+function chance(seed: number): (n: number) => number {
+  let now = seed;
+  return (n) => {
+    now = (now * 48_271) % 2_147_483_647;
+    return now % n;
+  };
+}
 
 const program = process.env['VIDNO_PROGRAM'] ?? '';
 const module = join(dirname(program), 'wasm/vidno.wasm');

@@ -9,7 +9,7 @@ import { NoWebAssembly } from '../replay/engine.js';
 import type { Shortened } from '../replay/trace.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
-import { unheld } from '../base/unheld.js';
+import { unheld } from './packed.js';
 import { numberOf } from '../trace/events.js';
 import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';

@@ -1,10 +1,13 @@
 import { fromBase64, toBase64Url } from '../base/base64.js';
-import { boundedText } from '../base/bounded-text.js';
+import { boundedText } from '../base/file.js';
 import { isEdition } from '../trace/editions.js';
 import { details, eventsOf } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
 import type { Options } from './options.js';
+
+/** What an address names as its trace if it cannot hold what it was made from: a file of the reader's own, or a large scene. */
+export const unheld = 'unheld';
 
 /** The longest text in an address: some programs truncate longer addresses. */
 const longestPacked = 16_000;

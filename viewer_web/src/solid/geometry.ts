@@ -2,6 +2,18 @@ import { BufferGeometry, Color, Float32BufferAttribute } from 'three';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Face, Line } from './drawing.js';
 
+/** The drawing order: all faces, hidden lines, and visible lines on their casings. */
+export const order = {
+  wall: 0,
+  behind: 1,
+  depth: 2,
+  front: 3,
+  glass: 4,
+  hidden: 5,
+  casing: 6,
+  line: 7,
+} as const;
+
 /** The colour of faces without a colour of their own. */
 const glass = '#7c8798';
 

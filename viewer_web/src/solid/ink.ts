@@ -3,8 +3,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { lookOf } from '../picture/looks.js';
 import type { Line } from './drawing.js';
-import { segmentsOf } from './geometry.js';
-import { order } from './order.js';
+import { order, segmentsOf } from './geometry.js';
 
 /** The dashes of hidden lines, as in technical drawing; CSS pixels. */
 const hiddenDash = [3, 4] as const;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Polygon } from '../trace/header.js';
-import { planeOf } from '../trace/plane.js';
+import { planeOf } from '../trace/polygon.js';
 import { holds, patchOf } from './plane.js';
 
 const polygon = (...vertices: Polygon['vertices']): Polygon => ({

@@ -1,5 +1,5 @@
 import type { Polygon } from '../trace/header.js';
-import type { Plane } from '../trace/plane.js';
+import type { Plane } from '../trace/polygon.js';
 import type { Box } from '../trace/values.js';
 import type { Spot } from './space.js';
 

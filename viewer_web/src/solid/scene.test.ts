@@ -5,8 +5,7 @@ import type { Event, Method } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { caption } from './caption.js';
-import { stepDrawing } from './scene.js';
+import { caption, stepDrawing } from './scene.js';
 import { Space } from './space.js';
 
 /**

@@ -1,15 +1,16 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { SolidTexts } from '../language/solid-texts.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
-import { outlines } from '../trace/faces.js';
-import type { OutlineLine } from '../trace/faces.js';
+import { outlines, planeOf } from '../trace/polygon.js';
+import type { OutlineLine } from '../trace/polygon.js';
 import type { Area, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
-import { planeOf } from '../trace/plane.js';
 import { around } from './plane.js';
 import type { Space } from './space.js';
 
@@ -114,4 +115,11 @@ function pointedDrawing(view: View, space: Space): Partial<Drawing> {
     case 'column':
       return algorithmOf(header).solid?.pointed?.(thing, view, space) ?? {};
   }
+}
+
+/** A description of the box: first what never changes in a scene, then what the step shows. */
+export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {
+  const [far, near] = space.depths.map(numbersOf(view).short);
+  const depths = texts.depths(far ?? '', near ?? '');
+  return [depths, ...(algorithmOf(view.header).solid?.caption(view, texts) ?? [])];
 }

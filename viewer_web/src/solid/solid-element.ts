@@ -2,12 +2,11 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
-import { caption } from './caption.js';
+import { caption } from './scene.js';
 import { Space } from './space.js';
 import type { View } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
 import './solid-stage.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 
 /** The 3D view, with a description of the step. */
 @customElement('vidno-solid')
@@ -73,11 +72,5 @@ export class SolidElement extends LitElement {
         ${caption(view, space, solid).map((words) => html`<p>${words}</p>`)}
       </div>
     `;
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-solid': SolidElement;
   }
 }

@@ -1,11 +1,10 @@
-import { LitElement, html, nothing, svg } from 'lit';
+import { LitElement, css, html, nothing, svg } from 'lit';
 import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import type { View } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 import { texts as allTexts } from '../i18n/index.js';
 import { drawn } from '../picture/drawn.js';
 import { Frame } from '../picture/frame.js';
@@ -19,11 +18,96 @@ import { noDrawing } from './drawing.js';
 import type { Drawing } from './drawing.js';
 import { dotShapes, outlinesToPoint, textsOf, wires } from './overlay.js';
 import { stepDrawing, stillDrawing } from './scene.js';
-import { solidStyle } from './solid.style.js';
 import type { Space } from './space.js';
 import { Stage } from './stage.js';
 import { extent, isSame, turned, viewNames, views } from './turn.js';
 import type { Turn, ViewName } from './turn.js';
+
+/** The looks of the 3D view, in addition to those of the picture. */
+const solidStyle = css`
+  :host {
+    container-type: inline-size;
+    padding: var(--bar, 2.5rem) 0 var(--foot, 0px);
+  }
+  :host([flat]) {
+    --foot: 2.75rem;
+  }
+  canvas,
+  svg {
+    inset: var(--bar, 2.5rem) 0 auto;
+    width: 100%;
+    height: calc(100% - var(--bar, 2.5rem) - var(--foot, 0px));
+  }
+  canvas {
+    object-fit: contain;
+    pointer-events: none;
+  }
+  svg {
+    cursor: grab;
+    touch-action: none;
+  }
+  svg:active {
+    cursor: grabbing;
+  }
+  .label {
+    font-weight: 500;
+    pointer-events: all;
+  }
+  .label.strong {
+    font-weight: 700;
+  }
+  .views {
+    display: var(--tools, flex);
+    position: absolute;
+    top: 0.375rem;
+    left: 0.375rem;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    overflow: hidden;
+    background: var(--panel);
+  }
+  .views button {
+    min-height: 1.75rem;
+    padding: 0 0.35rem;
+    border: 0;
+    border-radius: 0;
+    font-size: 0.75rem;
+    white-space: nowrap;
+  }
+  .views button + button {
+    border-left: 1px solid var(--line);
+  }
+  .views button[aria-pressed='true'] {
+    background: var(--accent-wash);
+    font-weight: 600;
+  }
+  .views :focus-visible {
+    outline-offset: -3px;
+  }
+  @container (max-width: 320px) {
+    vidno-zoom-bar {
+      top: auto;
+      bottom: calc(var(--foot, 0px) + 0.375rem);
+    }
+  }
+  .missing {
+    position: absolute;
+    inset: auto 0 0;
+    height: var(--foot);
+    padding: 0.3rem 0.75rem;
+    background: var(--warn-wash);
+    color: var(--warn);
+    font-size: 0.75rem;
+  }
+  @media print {
+    :host {
+      --bar: 0px;
+    }
+    canvas {
+      display: block;
+    }
+  }
+`;
 
 /** Degrees per CSS pixel of a drag, and per key press. */
 const degrees = { pixel: 0.5, key: 5 };
@@ -190,11 +274,5 @@ export class SolidStageElement extends LitElement {
           font-size=${size}
         >${text}</text>`,
     );
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-solid-stage': SolidStageElement;
   }
 }

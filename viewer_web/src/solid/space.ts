@@ -1,6 +1,6 @@
 import { depthRange } from '../picture/layers.js';
 import type { Area, Scene } from '../trace/header.js';
-import { planeOf } from '../trace/plane.js';
+import { planeOf } from '../trace/polygon.js';
 import { around } from './plane.js';
 
 /** A place in the scene: x and y as in the plane, y downward, and the depth z, toward the viewer. */

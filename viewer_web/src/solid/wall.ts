@@ -7,7 +7,7 @@ import {
   SRGBColorSpace,
 } from 'three';
 import type { Pixels } from '../replay/screen.js';
-import { order } from './order.js';
+import { order } from './geometry.js';
 import type { Space } from './space.js';
 
 /** The largest side in pixels for which every pixel has a texel. */

@@ -62,9 +62,3 @@ export class HitsElement extends LitElement {
     return html`<canvas aria-hidden="true"></canvas>`;
   }
 }
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-hits': HitsElement;
-  }
-}

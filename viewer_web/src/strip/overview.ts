@@ -1,4 +1,4 @@
-import { LitElement, html, nothing } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
@@ -7,10 +7,91 @@ import { placeOf, stepAt } from '../time/columns.js';
 import type { Course } from '../time/course.js';
 import { between, isWhole, moved, wholeOf } from '../time/range.js';
 import type { Range } from '../time/range.js';
-import { overviewStyle } from './overview.style.js';
 import './strip-element.js';
 import { shareOf } from './strip-gestures.js';
 import type { Zoom } from './zoom.js';
+
+/** The bar itself takes little room; the area for a finger is larger. */
+const overviewStyle = css`
+  :host {
+    position: relative;
+    display: block;
+    height: 0.5625rem;
+    touch-action: none;
+    user-select: none;
+    cursor: crosshair;
+  }
+  vidno-strip {
+    height: 0.4375rem;
+    border-radius: 2px;
+    overflow: hidden;
+  }
+  .bar {
+    position: absolute;
+    inset: 0;
+    border-radius: 3px;
+  }
+  .part,
+  .drawn {
+    position: absolute;
+    top: -2px;
+    bottom: 2px;
+    left: calc(var(--from) * 100%);
+    min-width: 4px;
+    width: calc((var(--to) - var(--from)) * 100%);
+    border: 1px solid var(--ink);
+    border-block-width: 2px;
+    border-radius: 3px;
+    box-shadow: 0 0 0 1px var(--panel);
+    pointer-events: none;
+  }
+  .part::before,
+  .part::after {
+    content: '';
+    position: absolute;
+    top: -2px;
+    bottom: -2px;
+    width: 4px;
+    background: var(--ink);
+  }
+  .part::before {
+    left: -3px;
+    border-radius: 3px 0 0 3px;
+  }
+  .part::after {
+    right: -3px;
+    border-radius: 0 3px 3px 0;
+  }
+  .drawn {
+    border-color: var(--accent);
+    background: color-mix(in srgb, var(--accent) 30%, transparent);
+  }
+  .outside {
+    position: absolute;
+    top: 0;
+    height: 0.4375rem;
+    background: color-mix(in srgb, var(--panel) 62%, transparent);
+    pointer-events: none;
+  }
+  .before {
+    left: 0;
+    width: calc(var(--from) * 100%);
+  }
+  .after {
+    right: 0;
+    left: calc(var(--to) * 100%);
+  }
+  .now {
+    position: absolute;
+    top: 0;
+    left: calc(var(--at) * 100%);
+    width: 2px;
+    height: 0.4375rem;
+    margin-left: -1px;
+    background: var(--ink);
+    pointer-events: none;
+  }
+`;
 
 /** CSS pixels: the distance from an end of the part at which a pointer grabs it. */
 const reach = 8;
@@ -146,11 +227,5 @@ export class OverviewElement extends LitElement {
 
   private tell(): void {
     this.dispatchEvent(new CustomEvent('change'));
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-overview': OverviewElement;
   }
 }

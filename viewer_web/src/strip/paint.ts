@@ -7,7 +7,7 @@ import type { Range } from '../time/range.js';
 import { lanesOf, marksHeight, stripHeight } from './lanes.js';
 import type { Lane, LaneName, Lanes } from './lanes.js';
 import type { Look } from './look.js';
-import { stripes } from './textures.js';
+import { stripes } from './look.js';
 
 /** A lane in dots of the canvas. */
 interface Band {

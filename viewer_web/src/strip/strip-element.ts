@@ -7,9 +7,8 @@ import type { Course } from '../time/course.js';
 import { wholeOf } from '../time/range.js';
 import type { Range } from '../time/range.js';
 import { stripHeight } from './lanes.js';
-import { lookOf } from './look.js';
+import { lookOf, stripColors } from './look.js';
 import { StripPainter } from './paint.js';
-import { stripColors } from './strip.style.js';
 
 /** A run, or a part of it, as a strip. It does not change from step to step. */
 @customElement('vidno-strip')

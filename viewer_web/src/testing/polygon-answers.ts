@@ -1,7 +1,7 @@
 import { expect } from 'vitest';
 import { toNumber } from '../language/words.js';
 import type { Header, Polygon } from '../trace/header.js';
-import { planeOf } from '../trace/plane.js';
+import { planeOf } from '../trace/polygon.js';
 import type { Box } from '../trace/values.js';
 import { sorted } from './questions.js';
 import type { Agrees } from './questions.js';

@@ -1,10 +1,10 @@
-import { LitElement, html, nothing } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { View } from '../algorithm/view.js';
 import { liveKey } from '../base/key-map.js';
-import { kbd } from '../elements/kbd.js';
+import { kbd } from '../elements/keyboard.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../language/texts.js';
@@ -17,8 +17,92 @@ import {
   withoutBookmark,
 } from './bookmarks.js';
 import type { Bookmark, Bookmarks } from './bookmarks.js';
-import { bookmarksStyle } from './bookmarks.style.js';
-import type { Command } from './command.js';
+import type { Command } from './travel.js';
+
+const bookmarksStyle = css`
+  :host {
+    display: flex;
+    flex-direction: column;
+    gap: 0.5rem;
+    min-height: 0;
+    overflow: auto;
+    padding: 0.6rem 0.75rem;
+    scrollbar-width: thin;
+    font-size: 0.8125rem;
+  }
+  .head {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 0.25rem 0.6rem;
+    align-items: center;
+    justify-content: space-between;
+  }
+  .add {
+    padding: 0 0.7rem;
+  }
+  kbd {
+    color: var(--soft);
+    font: 0.8125rem var(--mono);
+  }
+  .count,
+  .hint {
+    color: var(--soft);
+  }
+  .limit:not(:empty) {
+    padding: 0.4rem 0.6rem;
+    border-radius: 6px;
+    background: var(--warn-wash);
+    color: var(--warn);
+  }
+  ol {
+    display: grid;
+    gap: 0.25rem;
+    list-style: none;
+  }
+  li {
+    display: grid;
+    grid-template-columns: minmax(3.4rem, auto) minmax(0, 1fr) 2rem;
+    align-items: start;
+    gap: 0.3rem;
+    padding: 0.15rem 0.2rem;
+    border-radius: 6px;
+  }
+  .now {
+    background: var(--now);
+    box-shadow: inset 3px 0 var(--now-edge);
+  }
+  .go {
+    padding: 0 0.4rem;
+    text-align: right;
+  }
+  textarea {
+    width: 100%;
+    min-height: 2rem;
+    padding: 0.3rem 0.45rem;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    background: var(--well);
+    color: inherit;
+    font: inherit;
+    line-height: 1.35;
+    overflow-wrap: anywhere;
+    resize: none;
+    field-sizing: content;
+  }
+  textarea::placeholder {
+    color: var(--soft);
+    opacity: 1;
+  }
+  .remove {
+    padding: 0;
+    line-height: 1;
+  }
+  @container (min-width: 1500px) {
+    :host {
+      font-size: 0.9375rem;
+    }
+  }
+`;
 
 /** The bookmarks: each has a button to go to its step, a note that can be edited in place, and a button to remove it. */
 @customElement('vidno-bookmarks')

@@ -3,7 +3,7 @@ import { texts } from '../i18n/index.js';
 import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { Course } from './course.js';
-import { sayPlace } from './place.js';
+import { ownStep, sayPlace } from './place.js';
 
 async function readCourse(text: string): Promise<Course> {
   const course = new Course(await traceOf(text));
@@ -46,4 +46,29 @@ describe('the place of a step', () => {
     expect(say(2)).toBe('Step 2 of 3: polygon A, wrong decision, bookmark “see?”');
     expect(say(3)).toBe('Step 3 of 3: polygon A, the printed text fails');
   });
+});
+
+const clear: Event = { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' };
+const polygon: Event = { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' };
+const wrong: Event = {
+  e: 'disagree',
+  at: 'Z2',
+  of: 'rows',
+  taken: [0, 1],
+  exact: [0, 2],
+  cause: 'rounded',
+};
+
+it.each([
+  [0, 0],
+  [1, 1], // clear
+  [2, 3], // polygon, in the checked run after a verdict
+  [3, 5], // polygon
+])('step %i of a run is step %i of the same one, checked', async (step, checked) => {
+  const header = headerOf('zbuffer');
+  const plain = await traceOf(textWith(header, [clear, polygon, polygon]));
+  const told = await traceOf(textWith(header, [clear, wrong, polygon, wrong, polygon]));
+  expect(ownStep(plain.timeline, step, told.timeline)).toBe(checked);
+  expect(ownStep(told.timeline, checked, plain.timeline)).toBe(step);
+  expect(ownStep(told.timeline, 5, (await traceOf(textWith(header, [clear]))).timeline)).toBe(1);
 });

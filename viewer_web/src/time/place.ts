@@ -1,4 +1,5 @@
 import type { Texts } from '../language/texts.js';
+import type { Timeline } from '../replay/timeline.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
@@ -9,7 +10,7 @@ import type { Case, Course } from './course.js';
 import { indexFrom } from './goals.js';
 
 /** The place of a step in a run. */
-export interface Place {
+interface Place {
   readonly window: Box | null;
   readonly case: Case | null;
   readonly polygon: string | null;
@@ -38,7 +39,7 @@ const polygonOf = (begins: Event | null): string | null => {
   return begins?.e === 'polygon' ? begins.polygon : null;
 };
 
-export function placeAt(course: Course, step: number): Place {
+function placeAt(course: Course, step: number): Place {
   const { header, timeline } = course.trace;
   const index = course.indexAt(step);
   const first = course.stretches.first[index] ?? 0;
@@ -84,4 +85,17 @@ export function sayPlace(
   ].filter((words) => typeof words === 'string');
   const at = strip.step(step, course.length);
   return said.length === 0 ? at : `${at}: ${said.join(', ')}`;
+}
+
+const verdict = numberOf.get('disagree') ?? -1;
+
+/**
+ * The step of another run after the same number of events as a step of this run, or its last step. Events that only report
+ * a wrong decision do not count, because only checked runs of a scene have them.
+ */
+export function ownStep(from: Timeline, step: number, to: Timeline): number {
+  const own = from.names.subarray(0, step).filter((name) => name !== verdict).length;
+  let at = 0;
+  for (let left = own; left > 0 && at < to.length; at++) if (to.names[at] !== verdict) left--;
+  return at;
 }

@@ -1,11 +1,11 @@
-import { LitElement, html, nothing, svg } from 'lit';
+import { LitElement, css, html, nothing, svg } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
-import { askCheck } from '../exactness/ask-check.js';
+import { askCheck } from '../exactness/truth.js';
 import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../language/texts.js';
@@ -13,10 +13,123 @@ import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 import { Calls } from './calls.js';
 import type { Direction } from './calls.js';
-import type { Command } from './command.js';
 import { Goals, around, goalsOf } from './goals.js';
 import type { Followed, Goal, GoalName } from './goals.js';
-import { travelStyle } from './travel.style.js';
+
+/** The commands of the controls, which the player carries out. */
+export type Command =
+  | { readonly do: 'seek'; readonly step: number }
+  | { readonly do: 'play' }
+  | { readonly do: 'speed'; readonly speed: number }
+  | { readonly do: 'bookmarks'; readonly bookmarks: Bookmarks };
+
+const travelStyle = css`
+  :host {
+    display: flex;
+    gap: 0.4rem 1.5rem;
+    align-items: center;
+    font-size: 0.8125rem;
+  }
+  .group {
+    display: flex;
+    gap: 0.25rem;
+    align-items: center;
+  }
+  .name {
+    margin-right: 0.25rem;
+    color: var(--soft);
+    white-space: nowrap;
+  }
+  button {
+    display: grid;
+    flex: none;
+    place-items: center;
+    width: 2.25rem;
+    height: 2rem;
+    padding: 0;
+  }
+  button[aria-disabled='true'] {
+    color: var(--soft);
+    opacity: 0.55;
+  }
+  svg {
+    width: 1.25rem;
+    height: 1.25rem;
+    fill: none;
+    stroke: currentColor;
+    stroke-width: 1.75;
+    stroke-linecap: round;
+    stroke-linejoin: round;
+  }
+  .back svg {
+    transform: scaleX(-1);
+  }
+  .goal {
+    flex: 1;
+    min-width: 0;
+  }
+  select {
+    width: 15rem;
+    min-width: 0;
+    padding: 0 0.3rem;
+    text-overflow: ellipsis;
+  }
+  .count {
+    min-width: 5rem;
+    color: var(--soft);
+  }
+  :host([brief]) :is(.name, .count) {
+    display: none;
+  }
+  :host([brief]) {
+    gap: 0.25rem;
+  }
+  :host([brief]) > button {
+    visibility: var(--quiet, visible);
+  }
+  :host([brief]) select {
+    width: 11rem;
+  }
+  @container (max-width: 920px) {
+    :host([brief]) select {
+      width: 7rem;
+    }
+  }
+  /* Here every button has a border. */
+  @media (forced-colors: active) {
+    :host([brief]) select {
+      width: 7.5rem;
+    }
+  }
+  @container (max-width: 1100px) {
+    :host {
+      gap: 1rem;
+    }
+    .group:not(.goal) .name {
+      display: none;
+    }
+  }
+  @container (max-width: 960px) {
+    .count {
+      display: none;
+    }
+  }
+  @container (max-width: 620px) {
+    :host {
+      gap: 0.75rem;
+    }
+    .name {
+      display: none;
+    }
+    select {
+      flex: 1;
+      width: 0;
+    }
+    button {
+      width: 2rem;
+    }
+  }
+`;
 
 /**
  * With more polygons than this, the options exist only while the list is open: browsers examine all options at each layout
@@ -209,11 +322,5 @@ export class TravelElement extends LitElement {
     >
       <svg viewBox="0 0 20 20" aria-hidden="true">${svg`<path d=${shapes[shape]} />`}</svg>
     </button>`;
-  }
-}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-travel': TravelElement;
   }
 }

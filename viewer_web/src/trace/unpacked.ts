@@ -1,4 +1,4 @@
-import { isGzip, toUtf8 } from '../base/text-file.js';
+import { isGzip, toUtf8 } from '../base/file.js';
 
 const pause = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));

@@ -8,30 +8,33 @@ import { figureOf } from '../picture/figure.js';
 import { corners, hasWindows, methods } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import { abouts } from './about.js';
-import { clip } from './ask-clip.js';
-import { octants, ray } from './ask-contained.js';
 import { plane } from '../polygons/ask-plane.js';
-import { corners as cornersAsked } from './ask-corners.js';
-import { depth } from './ask-depth.js';
-import { edgeDepth } from './ask-edge-depth.js';
-import { facing } from './ask-facing.js';
-import { fill } from './ask-fill.js';
-import { split } from './ask-split.js';
-import { trial } from './ask-trial.js';
-import { inside } from './ask-inside.js';
-import { point } from './ask-point.js';
-import { pop } from './ask-pop.js';
-import { relation } from './ask-relation.js';
-import { window } from './ask-window.js';
+import {
+  clip,
+  corners as cornersAsked,
+  depth,
+  edgeDepth,
+  facing,
+  facts,
+  fill,
+  inside,
+  octants,
+  point,
+  polygonsAsked,
+  pop,
+  ray,
+  relation,
+  split,
+  trial,
+  window,
+} from './ask.js';
 import { course, goals } from './course.js';
-import { facts, polygonsAsked } from './facts.js';
 import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { drawing, pointed } from './solid.js';
-import { caption } from './solid-caption.js';
+import { caption, drawing, pointed } from './solid.js';
 import { why } from './why.js';
 
 /** The corners of the current window, and the windows on the stack from the top. */

@@ -2,10 +2,10 @@ import type { View } from '../algorithm/view.js';
 import { signed } from '../language/words.js';
 import { edgeOf, note, path, point } from '../picture/mark.js';
 import type { Mark, Spot } from '../picture/mark.js';
+import type { Warnock } from '../replay/values.js';
 import type { Event } from '../trace/events.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
-import type { Warnock } from './state.js';
 
 /** The distance of the octants' numbers from a window, in sides of the window. */
 const outward = 0.4;

@@ -1,5 +1,5 @@
+import type { Apl, Warnock } from '../replay/values.js';
 import type { WarnockEvents } from '../trace/events.js';
-import type { Apl, Warnock } from './state.js';
 
 /** The ids in a list of active polygons. Windows with the same list share the object. */
 interface List {

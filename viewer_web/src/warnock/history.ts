@@ -7,7 +7,7 @@ import type { Wanted } from '../replay/wanted.js';
 import type { Detail, Event, EventName } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
 import { Lists } from './history-lists.js';
-import { wayTo } from './lists.js';
+import { wayTo } from './state.js';
 
 interface Place {
   readonly pixel: Pixel;

@@ -1,8 +1,15 @@
 import type { Thing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
-import { atPoint, eventMarks, onRow, painted, rowBoxes } from '../picture/event-marks.js';
+import {
+  atPoint,
+  eventMarks,
+  onRow,
+  painted,
+  polygonInHand,
+  polygonMark,
+  rowBoxes,
+} from '../picture/event-marks.js';
 import type { Draws } from '../picture/event-marks.js';
-import { polygonInHand, polygonMark } from '../picture/in-hand.js';
 import { box, cornerOf, edgeOf, path, point } from '../picture/mark.js';
 import type { Mark, Role } from '../picture/mark.js';
 import type { Sight } from '../replay/screen.js';

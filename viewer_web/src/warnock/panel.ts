@@ -11,11 +11,30 @@ import { isSet, polygonName, swatch, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { FamilyTexts } from '../language/family-texts.js';
+import type { Entry, StackedWindow, Warnock } from '../replay/values.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';
-import { listValues } from './list-values.js';
+import { containment } from './naming.js';
 import { emptyWarnock } from './state.js';
-import type { Entry, Joined, StackedWindow, Warnock } from './state.js';
+import type { Joined } from './state.js';
+
+/**
+ * The values of a window with three lists: its level, the count of an outline so far, and the polygon that hides all
+ * others.
+ */
+function listValues(view: View, now: Warnock, old: Warnock): readonly TemplateResult[] {
+  const { header, language, texts: page } = view;
+  const { family, numbers } = texts[language];
+  const { panel } = family;
+  const sum = now.contained.length === 0 ? page.none : numbers.short(containment(now));
+  const hiding = now.covering === null ? page.none : polygonName(now.covering, view);
+  const name = header.method === 'warnock-angles' ? panel.octants : panel.ray;
+  return [
+    value(panel.level, now.way.length, now.way.length !== old.way.length),
+    value(name, sum, now.contained !== old.contained),
+    value(panel.hides, hiding, now.covering !== old.covering),
+  ];
+}
 
 /** The state of Warnock's algorithm: the current window, its list, its corners, and the stack. */
 @customElement('vidno-warnock')

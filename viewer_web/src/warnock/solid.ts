@@ -2,10 +2,13 @@ import { cornerThing } from '../algorithm/pointed.js';
 import type { Thing } from '../algorithm/pointed.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import type { SolidTexts } from '../language/solid-texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { polygonInHand } from '../picture/in-hand.js';
+import { polygonInHand } from '../picture/event-marks.js';
 import { cornerOf } from '../picture/mark.js';
+import type { Role } from '../picture/mark.js';
+import type { Warnock } from '../replay/values.js';
 import {
   activeDrawing,
   along,
@@ -16,14 +19,92 @@ import {
   together,
 } from '../solid/drawing.js';
 import type { Dot, Drawing, Label } from '../solid/drawing.js';
-import { patchOf } from '../solid/plane.js';
-import { planeOf } from '../trace/plane.js';
+import { holds, patchOf } from '../solid/plane.js';
+import { corners } from '../trace/events.js';
+import { planeOf } from '../trace/polygon.js';
 import type { Space, Spot } from '../solid/space.js';
-import type { N, Vertex } from '../trace/values.js';
-import { comparedPolygon, cornerDepths } from './solid-corners.js';
-import type { CornerDepth } from './solid-corners.js';
-import { depthsAtPoint, pointInHand } from './solid-point.js';
-import type { Warnock } from './state.js';
+import type { Corner, N, Vertex } from '../trace/values.js';
+import { shownIn } from './state.js';
+
+/** The depths at a corner of the current window. */
+interface CornerDepth {
+  readonly corner: Corner;
+  readonly at: readonly [x: number, y: number];
+  /** The nearest depth before this polygon. */
+  readonly stored: N;
+  /** The depth of the current polygon's plane, once it is computed. */
+  readonly own: N | null;
+  /** Whether the current polygon is the nearer one, at the step that decides it. */
+  readonly nearer: boolean | null;
+}
+
+const isCompared = /^(PW[567]|HP[345])$/;
+
+/** The polygon whose depths at the corners are compared. */
+function comparedPolygon({ event }: View): string | null {
+  return event !== null && 'polygon' in event && isCompared.test(event.at) ? event.polygon : null;
+}
+
+/** The four corners with their depths; empty if the trace does not have them. */
+function cornerDepths(view: View): readonly CornerDepth[] {
+  const { event, before, after } = view;
+  const { window = null, depths = [], corners: now } = after.warnock ?? {};
+  // The step that copies the nearer depths shows the depths that they were compared with.
+  const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
+  if (window === null || !stored) return [];
+  const isInHand = comparedPolygon(view) !== null;
+  return corners.map((corner, i) => ({
+    corner,
+    at: cornerOf(window, corner),
+    stored: stored[corner],
+    own: (isInHand ? depths[i] : null) ?? null,
+    nearer: answerAt(corner, view),
+  }));
+}
+
+function answerAt(corner: Corner, { event }: View): boolean | null {
+  if (event?.e === 'nearer') return event.corners.includes(corner);
+  return event?.e === 'compare' && event.corner === corner ? event.nearer : null;
+}
+
+/** The depth of a polygon on the line through the current point. */
+interface PointDepth {
+  readonly polygon: string;
+  readonly z: N;
+  /** Whether the procedure has computed it. A later depth is only drawn. */
+  readonly told: boolean;
+  readonly role: Role;
+}
+
+/** The point whose colour PointColor determines: the middle of the window. */
+function pointInHand({ event, after }: View): readonly [number, number] | null {
+  const runs = after.calls.some(({ of }) => of === 'PointColor') || event?.e === 'color';
+  const window = after.warnock?.window;
+  if (!runs || !window) return null;
+  return [window[0] + window[2] / 2, window[1] + window[3] / 2];
+}
+
+/** The polygons of the list that contain the point, in the order of the list. */
+function depthsAtPoint(view: View): readonly PointDepth[] {
+  const at = pointInHand(view);
+  const { warnock } = view.after;
+  if (at === null || warnock === undefined) return [];
+  const { nearest } = warnock;
+  return shownIn(warnock, view.header.scene).flatMap((id): readonly PointDepth[] => {
+    const polygon = view.header.scene.byId.get(id);
+    if (polygon === undefined || !holds(polygon, ...at)) return [];
+    if (nearest?.polygon === id) return [{ polygon: id, z: nearest.z, told: true, role: 'yes' }];
+    const z = depthInHand(view, id);
+    if (z === null) {
+      return [{ polygon: id, z: planeOf(polygon)(...at), told: false, role: 'window' }];
+    }
+    return [{ polygon: id, z, told: true, role: view.event?.e === 'compare' ? 'no' : 'point' }];
+  });
+}
+
+function depthInHand({ event }: View, id: string): N | null {
+  return (event?.e === 'depth' || event?.e === 'compare') && event.polygon === id ? event.z : null;
+}
 
 /** Warnock's algorithm in the box: the window as a column, and the geometry of the decision in it. */
 export function drawing(view: View, space: Space): Drawing {
@@ -130,4 +211,38 @@ function pointDrawing(view: View, space: Space): Partial<Drawing> {
       strong: role === 'yes',
     })),
   };
+}
+
+/** A description of a window in the box. */
+export function caption(view: View, texts: SolidTexts): readonly string[] {
+  const { window = null, clip = null } = view.after.warnock ?? {};
+  if (window === null) return [];
+  return [
+    texts.window(numbersOf(view).windowText(window)),
+    ...(pointInHand(view) === null ? cornerWords(view, texts) : pointWords(view, texts)),
+    ...(clip === null ? [] : [texts.clip]),
+  ];
+}
+
+function cornerWords(view: View, texts: SolidTexts): readonly string[] {
+  const depths = cornerDepths(view);
+  const polygon = comparedPolygon(view);
+  const { joined, short } = numbersOf(view);
+  const own = depths.flatMap((each) =>
+    each.own === null ? [] : [`${each.corner} ${short(each.own)}`],
+  );
+  const stored = depths.map((each) => `${each.corner} ${short(each.stored)}`);
+  return [
+    ...(polygon === null || own.length === 0 ? [] : [texts.plane(polygon, joined(own))]),
+    ...(stored.length === 0 ? [] : [texts.corners(joined(stored))]),
+  ];
+}
+
+function pointWords(view: View, texts: SolidTexts): readonly string[] {
+  const at = pointInHand(view) ?? [];
+  const { joined, point, short } = numbersOf(view);
+  const depths = depthsAtPoint(view).map(({ polygon, z, told }) =>
+    told ? `${polygon} ${short(z)}` : polygon,
+  );
+  return [texts.point(point(at), joined(depths) || texts.noPolygon)];
 }

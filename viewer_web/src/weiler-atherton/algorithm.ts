@@ -1,21 +1,23 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import { cells } from '../language/words.js';
-import { polygonInHand } from '../picture/in-hand.js';
+import { polygonInHand } from '../picture/event-marks.js';
 import { activeDrawing } from '../solid/drawing.js';
-import { behind } from './ask-behind.js';
-import { entering } from './ask-entering.js';
-import { painted } from './ask-painted.js';
-import { parted } from './ask-parted.js';
-import { piercing } from './ask-piercing.js';
-import { sort } from './ask-sort.js';
-import { stack } from './ask-stack.js';
-import { walk } from './ask-walk.js';
+import {
+  behind,
+  entering,
+  facts,
+  painted,
+  parted,
+  piercing,
+  polygonsAsked,
+  sort,
+  stack,
+  walk,
+} from './ask.js';
 import { course } from './course.js';
-import { facts, polygonsAsked } from './facts.js';
-import { figureOf } from './figure.js';
 import { RegionWatch } from './history.js';
-import { marks } from './marks.js';
+import { figureOf, marks } from './shapes.js';
 import { plane } from '../polygons/ask-plane.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';

@@ -7,7 +7,7 @@ import type { Region } from '../trace/values.js';
  * are in its events.
  */
 
-export type Loops = readonly (readonly Spot[])[];
+type Loops = readonly (readonly Spot[])[];
 
 const known = new WeakMap<Region, Loops>();
 
@@ -42,7 +42,7 @@ export function areaOf(region: Region): number {
 }
 
 /** The bounding box of a region. */
-export interface Bounds {
+interface Bounds {
   readonly from: Spot;
   readonly to: Spot;
 }

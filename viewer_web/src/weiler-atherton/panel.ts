@@ -1,4 +1,4 @@
-import { LitElement, html, nothing } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
@@ -11,12 +11,46 @@ import { polygonName, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { countedIn, texts } from '../i18n/index.js';
 import type { RegionTexts } from '../language/region-texts.js';
+import type { WeilerAtherton } from '../replay/values.js';
 import type { Piece, Region } from '../trace/values.js';
 import { areaOf, verticesOf } from './geometry.js';
-import { isPainting, listInHand } from './in-hand.js';
-import { regionsPanelStyle } from './panel.style.js';
-import { emptyWeilerAtherton } from './state.js';
-import type { List, ListInHand, WeilerAtherton } from './state.js';
+import { emptyWeilerAtherton, isPainting, listInHand } from './state.js';
+import type { List, ListInHand } from './state.js';
+
+const regionsPanelStyle = css`
+  .values.found {
+    grid-template-columns: minmax(min-content, 1.45fr) minmax(min-content, 1.25fr) minmax(
+        min-content,
+        0.85fr
+      );
+    gap: 0.35rem 0.6rem;
+    align-items: end;
+  }
+  .found dt {
+    white-space: normal;
+  }
+  .lists.two {
+    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+  }
+  .list.short {
+    height: 4.9rem;
+  }
+  .list.hand {
+    height: 6.6rem;
+  }
+  .list.visible {
+    height: 8.2rem;
+  }
+  .rows td.said {
+    font-size: 0.75rem;
+    line-height: 1.3;
+    color: var(--soft);
+    white-space: normal;
+  }
+  .rows td.number {
+    text-align: right;
+  }
+`;
 
 /**
  * The state of Weiler and Atherton's algorithm: the current list and its parts, the visible regions, and the stack of

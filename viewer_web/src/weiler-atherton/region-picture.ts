@@ -1,12 +1,14 @@
 import { customElement, property } from 'lit/decorators.js';
+import { LayerSwitches } from '../elements/layer-switches.js';
+import { texts } from '../i18n/index.js';
+import type { RegionTexts } from '../language/region-texts.js';
 import type { Frame } from '../picture/frame.js';
 import type { Cells } from '../picture/paint.js';
 import { regionsStyle } from '../picture/regions.style.js';
 import type { Shape } from '../picture/shapes.js';
 import { PictureElement } from '../polygons/picture.js';
-import { allLayers } from './layers.js';
-import type { RegionLayer } from './layers.js';
-import { regionShapes, visibleShapes } from './shapes.js';
+import type { RegionLayer } from './shapes.js';
+import { allLayers, regionLayers, regionShapes, visibleShapes } from './shapes.js';
 
 /** The picture so far, with the regions and the marks of the step over it. */
 @customElement('vidno-region-picture')
@@ -28,8 +30,12 @@ export class RegionPictureElement extends PictureElement {
   }
 }
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'vidno-region-picture': RegionPictureElement;
+/** The layers of the picture of regions. */
+@customElement('vidno-region-layers')
+export class RegionLayersElement extends LayerSwitches<RegionLayer> {
+  protected override readonly all = regionLayers;
+
+  protected override get names(): RegionTexts {
+    return texts[this.view.language].regions;
   }
 }

@@ -1,17 +1,25 @@
+import { atPoint, eventMarks, onRow, painted, rowBoxes } from '../picture/event-marks.js';
+import type { Draws } from '../picture/event-marks.js';
+import { figureFrame, figureOf as polygonsFigure } from '../picture/figure.js';
 import type { Frame } from '../picture/frame.js';
-import { isShown, spot } from '../picture/mark.js';
-import type { Spot } from '../picture/mark.js';
+import { isShown, point, spot } from '../picture/mark.js';
+import type { Mark, Spot } from '../picture/mark.js';
 import { circleData, diamondData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
+import type { WeilerAtherton } from '../replay/values.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Area, Scene } from '../trace/header.js';
 import type { Piece, Point, Region } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
 import { hatchData, regionData } from './geometry.js';
-import { listInHand } from './in-hand.js';
-import type { RegionLayer } from './layers.js';
-import { emptyWeilerAtherton } from './state.js';
-import type { Crossings, List, WeilerAtherton } from './state.js';
+import { emptyWeilerAtherton, listInHand } from './state.js';
+import type { Crossings, List } from './state.js';
+
+/** The layers in the picture of a run with regions, each with a switch. */
+export const regionLayers = ['pixels', 'visible', 'list', 'parts', 'crossings'] as const;
+export type RegionLayer = (typeof regionLayers)[number];
+
+export const allLayers: ReadonlySet<RegionLayer> = new Set(regionLayers);
 
 /** CSS pixels: the size of the mark of a crossing, and the distance between hatching lines. */
 const crossingSize = 6;
@@ -167,3 +175,23 @@ export function regionShapes(
     ...(event === null ? [] : stepShapes(event, view)),
   ].filter(({ d }) => d !== '');
 }
+
+const draws: Draws = {
+  paint: painted,
+  behind: ({ point: at, behind }) => [point(behind ? 'no' : 'yes', at)],
+  order: atPoint,
+  row: ({ row, left, right, first, end }) => [
+    onRow(row, left, right),
+    ...rowBoxes('fresh', row, [[first, end]]),
+  ],
+};
+
+/** The marks of the step's decision; the current pieces are drawn as regions. */
+export const marks = (view: View): readonly Mark[] => eventMarks(draws, view);
+
+/** The picture at a step with its regions, as a separate SVG document; see `figureOf`. */
+export const figureOf = (view: View): string =>
+  polygonsFigure(view, {
+    under: visibleShapes(view, allLayers),
+    over: regionShapes(view, figureFrame(view), allLayers),
+  });

@@ -1,7 +1,8 @@
+import type { View } from '../algorithm/view.js';
 import type { WeilerAtherton } from '../replay/values.js';
+import type { EventName } from '../trace/events.js';
 import type { Piece } from '../trace/values.js';
 
-export type { WeilerAtherton } from '../replay/values.js';
 export type List = readonly Piece[];
 /** The list that was popped from the stack; its first piece is the clip polygon. */
 export type ListInHand = NonNullable<WeilerAtherton['inHand']>;
@@ -16,3 +17,17 @@ export const emptyWeilerAtherton: WeilerAtherton = {
   crossings: { entering: [], leaving: [] },
   piercing: null,
 };
+
+/** Lines at which loops are closed: a fault there is caused by rounding, and the run continues. */
+export const isOpenOutline = (label: string): boolean => ['RC4', 'RC5', 'SP3'].includes(label);
+
+const inPainting: readonly EventName[] = ['order', 'paint', 'painted'];
+
+/** Whether the visible regions are being painted, or have been. No list is processed after that. */
+export const isPainting = ({ event, after }: Pick<View, 'event' | 'after'>): boolean =>
+  after.calls.some(({ of }) => of === 'PaintRegions') ||
+  (event !== null && inPainting.includes(event.e));
+
+/** The list that the step processes. The program's variables keep the last one to the end. */
+export const listInHand = (view: Pick<View, 'event' | 'after'>): ListInHand | null =>
+  isPainting(view) ? null : (view.after.weilerAtherton?.inHand ?? null);

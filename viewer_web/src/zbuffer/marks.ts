@@ -1,8 +1,7 @@
 import type { Thing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
-import { eventMarks, onRow, rowBoxes } from '../picture/event-marks.js';
+import { eventMarks, onRow, polygonInHand, polygonMark, rowBoxes } from '../picture/event-marks.js';
 import type { Draws } from '../picture/event-marks.js';
-import { polygonInHand, polygonMark } from '../picture/in-hand.js';
 import { box, edgeOf, path, point } from '../picture/mark.js';
 import type { Mark } from '../picture/mark.js';
 import type { Polygon } from '../trace/header.js';

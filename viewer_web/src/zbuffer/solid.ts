@@ -5,7 +5,7 @@ import type { View } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/solid-texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { polygonInHand } from '../picture/in-hand.js';
+import { polygonInHand } from '../picture/event-marks.js';
 import { activeDrawing, cased, column, noDrawing, together } from '../solid/drawing.js';
 import type { Drawing } from '../solid/drawing.js';
 import type { Space, Spot } from '../solid/space.js';

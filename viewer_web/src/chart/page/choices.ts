@@ -7,7 +7,7 @@ import type { Kind } from '../format.js';
 import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
 import { nameIn } from '../../language/scene-name.js';
-import type { View } from '../views.js';
+import type { View } from '../subject.js';
 
 /** The choice of the subject and of the two axes. */
 @customElement('vidno-choices')
@@ -27,14 +27,10 @@ export class ChoicesElement extends LitElement {
         gap: 0.5rem;
         align-items: center;
         min-width: 0;
-        margin: 0;
-        padding: 0;
-        border: 0;
       }
       .scene > span,
       legend {
         float: left;
-        padding: 0;
         color: var(--soft);
       }
       select {

@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { base } from '../../elements/theme.js';
 import { OwnSize } from '../../picture/own-size.js';
-import { byCost, byError } from '../front.js';
+import { byCost, byError } from '../points.js';
 import { layoutOf } from '../layout.js';
 import { drawPlot } from '../plot.js';
 import type { Point } from '../points.js';

@@ -1,3 +1,0 @@
-import './shows.js';
-import './start-engine.js';
-import './app.js';

@@ -1,2 +1,0 @@
-/** Tests need the algorithms, as the page does. */
-import '../app/algorithms.js';
