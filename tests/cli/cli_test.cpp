@@ -490,6 +490,39 @@ TEST_CASE("margin tells the half-planes of a step and a vertex as text and as JS
     CHECK(json.at("at") == nlohmann::json({1, 0}));
 }
 
+namespace {
+
+/// A at depth 1/8 everywhere; B at 1/4 in the left half, later in the scene; C, the small square right of the middle, at -1/8; D edge-on.
+const std::string four_polygons = R"({"window":{"x":0,"y":0,"width":4,"height":2},"background":"#ffffff","polygons":[
+    {"id":"A","color":"#aa0000","vertices":[[-1,-1,0.125],[5,-1,0.125],[5,3,0.125],[-1,3,0.125]]},
+    {"id":"B","color":"#0000bb","vertices":[[-1,-1,0.25],[2,-1,0.25],[2,3,0.25],[-1,3,0.25]]},
+    {"id":"C","color":"#00cc00","vertices":[[2,0,-0.125],[3,0,-0.125],[3,1,-0.125],[2,1,-0.125]]},
+    {"id":"D","color":"#dddd00","vertices":[[0,0,0],[1,1,0],[2,2,1]]}]})";
+
+}  // namespace
+
+TEST_CASE("why: the reasons of a pixel and the smallest changes, in both languages and as JSON") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", four_polygons);
+    CHECK(program("why " + scene + " --pixel 1,1").text ==
+          "pixel 1,1: B shows, at depth 1/4; if it sinks by 1/8, A shows; edge 1 of B passes 1/2 px to the right: if "
+          "it moves left by "
+          "more than that, B does not show\n"
+          "  A is 1/8 farther here; it shows if it rises by 1/8\n"
+          "  edge 2 of C passes 1/2 px above, edge 3 of C passes 1/2 px to the right; C shows if edge 2 moves down by "
+          "1/2 px, edge 3 moves "
+          "left by 1/2 px and it rises by more than 3/8\n"
+          "  D is edge-on and shows nowhere\n");
+    CHECK(program("why " + scene + " --pixel 1,1 --language ru").text.find("A здесь дальше на 1/8") !=
+          std::string::npos);
+    const auto json = nlohmann::json::parse(program("why " + scene + " --pixel 2,0 --json").text);
+    CHECK(json.at("owner") == "A");
+    CHECK(json.at("polygons").at(2) ==
+          nlohmann::json{
+              {"polygon", "C"}, {"standing", "behind"}, {"depth", "-1/8"}, {"gap", "1/4"}, {"wins_ties", false}});
+    CHECK(program("why " + scene + " --pixel 4,0").status == 2);
+}
+
 TEST_CASE("margin refuses a step without a sign and a vertex that the scene lacks") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
