@@ -526,6 +526,19 @@ TEST_CASE("why: the reasons of a pixel and the smallest changes, in both languag
     CHECK(program("why " + scene + " --pixel 4,0").status == 2);
 }
 
+TEST_CASE("why names the decision that made a run wrong at the pixel") {
+    // Half an ulp decides; the entry of the atlas fails in ShowLine, which adds up rounded depths.
+    const std::string failure = VIDNO_ROOT "/lessons/failures/depth-by-an-ulp.json";
+    const Outcome wrong = program("why " + failure + " --pixel 0,0");
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find(
+              "the run paints #0072b2 where the colour must be #e69f00: the decision at step 42, L6 (ShowLine) is "
+              "wrong: its operands had drifted before\n") != std::string::npos);
+    const Outcome right = program("why " + failure + " --pixel 0,0 --kernel filtered");
+    CHECK(right.status == 0);
+    CHECK(right.text.find("the run paints") == std::string::npos);
+}
+
 TEST_CASE("prove: a right picture has a proof, and a wrong one the reason at each wrong pixel") {
     const Workplace work;
     const std::string scene = work.write("scene.json", four_polygons), proof = work.file("proof.jsonl");
