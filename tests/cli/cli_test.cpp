@@ -517,6 +517,88 @@ TEST_CASE("margin tells the half-planes of a step and a vertex as text and as JS
     CHECK(json.at("at") == nlohmann::json({1, 0}));
 }
 
+namespace {
+
+/// A at depth 1/8 everywhere; B at 1/4 in the left half, later in the scene; C, the small square right of the middle, at -1/8; D edge-on.
+const std::string four_polygons = R"({"window":{"x":0,"y":0,"width":4,"height":2},"background":"#ffffff","polygons":[
+    {"id":"A","color":"#aa0000","vertices":[[-1,-1,0.125],[5,-1,0.125],[5,3,0.125],[-1,3,0.125]]},
+    {"id":"B","color":"#0000bb","vertices":[[-1,-1,0.25],[2,-1,0.25],[2,3,0.25],[-1,3,0.25]]},
+    {"id":"C","color":"#00cc00","vertices":[[2,0,-0.125],[3,0,-0.125],[3,1,-0.125],[2,1,-0.125]]},
+    {"id":"D","color":"#dddd00","vertices":[[0,0,0],[1,1,0],[2,2,1]]}]})";
+const std::string left_blue = std::string("\x00\x00\xbb\x00\x00\xbb", 6);
+const std::string right_red = std::string("\xaa\x00\x00\xaa\x00\x00", 6);
+const std::string ppm_header = "P6\n4 2\n255\n";
+
+}  // namespace
+
+TEST_CASE("why: the reasons of a pixel and the smallest changes, in both languages and as JSON") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", four_polygons);
+    CHECK(program("why " + scene + " --pixel 1,1").text ==
+          "pixel 1,1: B shows, at depth 1/4; if it sinks by 1/8, A shows; edge 1 of B passes 1/2 px to the right: if "
+          "it moves left by "
+          "more than that, B does not show\n"
+          "  A is 1/8 farther here; it shows if it rises by 1/8\n"
+          "  edge 2 of C passes 1/2 px above, edge 3 of C passes 1/2 px to the right; C shows if edge 2 moves down by "
+          "1/2 px, edge 3 moves "
+          "left by 1/2 px and it rises by more than 3/8\n"
+          "  D is edge-on and shows nowhere\n");
+    CHECK(program("why " + scene + " --pixel 1,1 --language ru").text.find("A здесь дальше на 1/8") !=
+          std::string::npos);
+    const auto json = nlohmann::json::parse(program("why " + scene + " --pixel 2,0 --json").text);
+    CHECK(json.at("owner") == "A");
+    CHECK(json.at("polygons").at(2) ==
+          nlohmann::json{
+              {"polygon", "C"}, {"standing", "behind"}, {"depth", "-1/8"}, {"gap", "1/4"}, {"wins_ties", false}});
+    CHECK(program("why " + scene + " --pixel 4,0").status == 2);
+}
+
+TEST_CASE("why names the decision that made a run wrong at the pixel") {
+    // Half an ulp decides; the entry of the atlas fails in ShowLine, which adds up rounded depths.
+    const std::string failure = VIDNO_ROOT "/lessons/failures/depth-by-an-ulp.json";
+    const Outcome wrong = program("why " + failure + " --pixel 0,0");
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find(
+              "the run paints #0072b2 where the colour must be #e69f00: the decision at step 42, L6 (ShowLine) is "
+              "wrong: its operands had drifted before\n") != std::string::npos);
+    const Outcome right = program("why " + failure + " --pixel 0,0 --kernel filtered");
+    CHECK(right.status == 0);
+    CHECK(right.text.find("the run paints") == std::string::npos);
+}
+
+TEST_CASE("prove: a right picture has a proof, and a wrong one the reason at each wrong pixel") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", four_polygons), proof = work.file("proof.jsonl");
+    const std::string right = left_blue + right_red + left_blue + right_red;
+    const std::string prove = "prove " + scene + " -o " + proof + " --picture ";
+    CHECK(program(prove + work.write("right.ppm", ppm_header + right)).text.empty());
+    // By hand: B ends between columns 1 and 2.
+    CHECK(work.read("proof.jsonl") ==
+          "{\"format\":\"vidno-proof/1\"}\n"
+          "{\"rectangle\":[0,0,4,2],\"edge_on\":[3],\"behind\":[[2,0]]}\n"
+          "{\"rectangle\":[0,0,2,2],\"behind\":[[0,1]],\"owner\":1}\n"
+          "{\"rectangle\":[2,0,2,2],\"beside\":[[1,1]],\"owner\":0}\n");
+
+    const Outcome wrong = program("prove " + scene + " -o " + work.file("none.jsonl") + " --picture " +
+                                  work.write("wrong.ppm", ppm_header + right_red + right.substr(6)));
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find("pixel 0,0 is #aa0000, but B shows, at depth 1/4;") == 0);
+    CHECK(wrong.text.find(". A is 1/8 farther here; it shows if it rises by 1/8\n") != std::string::npos);
+    CHECK_FALSE(work.has("none.jsonl"));
+    CHECK(program(prove + work.write("small.ppm", "P6\n1 1\n255\nabc")).status == 2);
+    CHECK(program(prove + work.write("text.png", "no picture")).status == 2);
+}
+
+TEST_CASE("prove --scene writes what the checkers read; without it a scene that they do not read is said") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", R"({"polygons":[{"vertices":[[0,0,0],[2,0,0],[0,2,0]]}]})");
+    const std::string prove = "prove " + scene + " -o " + work.file("proof.jsonl");
+    CHECK(program(prove).text.find("--scene FILE") != std::string::npos);
+    CHECK(program(prove + " --scene " + work.file("plain.json")).text.empty());
+    const std::string plain = "prove " + work.file("plain.json") + " -o " + work.file("proof.jsonl");
+    CHECK(program(plain).text.empty());
+}
+
 TEST_CASE("margin refuses a step without a sign and a vertex that the scene lacks") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);

@@ -17,6 +17,8 @@ void add_need(CLI::App& program, int& status);
 void add_choose(CLI::App& program, int& status);
 void add_map(CLI::App& program, int& status);
 void add_margin(CLI::App& program, int& status);
+void add_prove(CLI::App& program, int& status);
+void add_why(CLI::App& program, int& status);
 void add_chart(CLI::App& program, int& status);
 void add_replay(CLI::App& program, int& status);
 void add_say(CLI::App& program, int& status);

@@ -21,4 +21,26 @@ std::string encode_png(const Picture& picture, const std::string& name) {
     return bytes;
 }
 
+Picture decode_png(std::string_view bytes, const Area& area, const std::string& name) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) {
+        throw Refused(name + ": " + image.message);
+    }
+    const auto refuse = [&](const std::string& reason) {
+        png_image_free(&image);
+        throw Refused(name + ": " + reason);
+    };
+    if (image.format & PNG_FORMAT_FLAG_LINEAR) refuse("a PNG with 16 bits for each colour");
+    if (image.format & PNG_FORMAT_FLAG_ALPHA) refuse("a PNG with transparency");
+    if (image.width != png_uint_32(area.width) || image.height != png_uint_32(area.height)) {
+        png_image_free(&image);
+        expect_size(image.width, image.height, area, name);
+    }
+    image.format = PNG_FORMAT_RGB;
+    std::string rows(PNG_IMAGE_SIZE(image), '\0');
+    if (!png_image_finish_read(&image, nullptr, rows.data(), 0, nullptr)) throw Refused(name + ": " + image.message);
+    return picture_of_rows(rows, area);
+}
+
 }  // namespace vidno
