@@ -58,6 +58,12 @@ bool has_text(const Drawing& drawing, const std::string& text) {
     return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
+/// Whether a line of text begins so.
+bool has_line(const Drawing& drawing, const std::string& beginning) {
+    const auto texts = texts_of(drawing);
+    return std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return text.starts_with(beginning); });
+}
+
 std::size_t count_of(std::string_view text, std::string_view part) {
     std::size_t count = 0;
     for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
@@ -608,9 +614,9 @@ TEST_CASE("a strip has its captions, and each part at one height in all panels")
     }
     REQUIRE(heads.size() == 2);
     CHECK(heads[0].y == heads[1].y);
-    CHECK(has_text(strip, "(a) window (8, 8) 8 × 8 is taken from the stack"));
-    CHECK(has_text(strip, "(b) 8 × 8 pixels are filled"));
-    CHECK(has_text(strip_of_all({.language = Language::russian}), "(a) из стека взято окно (8; 8) 8 × 8"));
+    CHECK(has_line(strip, "(a) The window (8, 8) 8 × 8 comes off the stack"));
+    CHECK(has_line(strip, "(b) 64 pixels take the colour of A."));
+    CHECK(has_line(strip_of_all({.language = Language::russian}), "(a) Окно (8; 8) 8 × 8 берётся из стека"));
 }
 
 TEST_CASE("no line is thinner than 0.25 points") {

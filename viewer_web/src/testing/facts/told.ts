@@ -8,7 +8,7 @@ export function value(n: N): number {
   if (n.endsWith('inf')) return n.startsWith('-') ? -Infinity : Infinity;
   const [above = '', below = '1'] = n.split('/');
   if (!/^-?\d+$/.test(above) || below === '0') return NaN;
-  return Number((BigInt(above) * 10n ** 18n) / BigInt(below)) / 1e18;
+  return Number(`${(BigInt(above) * 10n ** 60n) / BigInt(below)}e-60`);
 }
 
 /** The order of two numbers of a trace, fractions exactly: -1, 0 or 1; NaN if there is none. */
