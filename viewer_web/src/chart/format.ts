@@ -1,10 +1,10 @@
 import { toUtf8 } from '../base/file.js';
 import { parseJson, plainObject } from '../trace/check.js';
 import { Refusal } from '../trace/refusal.js';
-import { sceneChart, sceneCosts, sceneErrors, sceneKinds, sceneKnobs } from './scene-format.js';
-import type { Scene, SceneChart, SceneRun } from './scene-format.js';
-import { curveCosts, curveErrors, curveKnobs, surfaceChart } from './surface-format.js';
-import type { CurveRun, Surface, SurfaceChart } from './surface-format.js';
+import { sceneChart, sceneCosts, sceneErrors, sceneKinds } from './scene-format.js';
+import type { Scene, SceneChart, SceneRun, sceneKnobs } from './scene-format.js';
+import { curveCosts, curveErrors, surfaceChart } from './surface-format.js';
+import type { CurveKnob, CurveRun, Surface, SurfaceChart } from './surface-format.js';
 
 /** A chart of scenes or of surfaces. These are its subjects. */
 export type Chart = SceneChart | SurfaceChart;
@@ -14,12 +14,11 @@ export type Run = SceneRun | CurveRun;
 /** The costs of both kinds of chart. */
 export const costs = [...new Set([...sceneCosts, ...curveCosts])];
 export const errors = [...new Set([...sceneErrors, ...curveErrors])];
-const knobs = [...sceneKnobs, ...curveKnobs] as const;
 export const kinds = [...sceneKinds, 'surfaces'] as const;
 
 export type Cost = (typeof costs)[number];
 export type ErrorMeasure = (typeof errors)[number];
-export type Knob = (typeof knobs)[number];
+export type Knob = (typeof sceneKnobs)[number] | CurveKnob;
 export type Kind = (typeof kinds)[number];
 
 /** Parses and checks a chart as described in `trace/CHART.md`; drops unknown fields. */
