@@ -16,16 +16,15 @@ class Polygon:
 def rank(p, at): return value(polygons[p].depth, at), -p  # of the polygons that hold a place, the one of greatest rank shows
 scene, picture, proof = json.load(open(sys.argv[1])), open(sys.argv[2], "rb").read(), map(json.loads, open(sys.argv[3]))
 window = left, top, columns, rows = [scene["window"][key] for key in ("x", "y", "width", "height")]
-header = b"P6\n%d %d\n255\n" % (columns, rows)
-check(picture.startswith(header) and "camera" not in scene, "no PPM of the size of the window, or a scene with a camera")
+check(picture.startswith(header := b"P6\n%d %d\n255\n" % (columns, rows)) and "camera" not in scene, "no PPM of the size of the window, or a scene with a camera")
 check(next(proof) == {"format": "vidno-proof/1"}, "line 1: not a proof")
-polygons, around, proved, half = [Polygon(each) for each in scene["polygons"]], [(window, set())], {}, fractions.Fraction(1, 2)
+polygons = dict(enumerate(map(Polygon, scene["polygons"])))  # a list would also have one at -1
+around, proved, half = [(window, set())], {}, fractions.Fraction(1, 2)
 for n, line in enumerate(proof, 2):
     x, y, width, height = rectangle = line["rectangle"]
     edge_on, beside, behind = (line.get(reason, []) for reason in ("edge_on", "beside", "behind"))
     corners = [(i + half, j + half) for i in (x, x + width - 1) for j in (y, y + height - 1)]
-    around = [each for each in around if contains(each[0], rectangle)]
-    check(around, f"line {n}: the rectangle is not in the window")
+    around = [each for each in around if contains(each[0], rectangle)] or sys.exit(f"line {n}: the rectangle is not in the window")
     for p in edge_on: check(not polygons[p].depth, f"line {n}: {p} is not edge-on")
     for p, e in beside: check(all(value(polygons[p].edges[e], at) < 0 for at in corners), f"line {n}: {p} is not beside")
     for p, q in behind: check(all(rank(p, at) < rank(q, at) for at in corners), f"line {n}: {p} is not behind {q}")

@@ -184,20 +184,20 @@ def changed_proof(draw, scene, lines):
         lines[number], lines[other] = lines[other], line
         return "two lines in another order"
     if kind == "owner":
-        line["owner"] = draw.choice([None, *range(count)])
+        line["owner"] = draw.choice([None, *range(-1, count)])
         return "an owner"
     reason = draw.randrange(len(line[kind]))
     if draw.randrange(4) == 0:
         del line[kind][reason]
         return "a reason dropped"
     if kind == "edge_on":
-        line[kind][reason] = draw.randrange(count)
+        line[kind][reason] = draw.randrange(-1, count)
         return "the polygon of a reason"
     place = draw.randrange(2)
     if kind == "beside" and place == 1:
         line[kind][reason][1] = draw.randrange(len(scene["polygons"][line[kind][reason][0]]["vertices"]) + 1)
         return "an edge"
-    line[kind][reason][place] = draw.randrange(count)
+    line[kind][reason][place] = draw.randrange(-1, count)
     return "the polygon in front" if place else "the polygon of a reason"
 
 

@@ -20,13 +20,13 @@ struct SayOptions {
     std::optional<std::string> steps;
 };
 
-struct Steps {
+struct StepsSaid {
     Step first = 1;
     std::optional<Step> last{};  // none: to the end
 };
 
 /// `5..16`, both ends included.
-Steps steps_from(const std::string& text) {
+StepsSaid steps_from(const std::string& text) {
     const auto number = [&](std::string_view part) {
         Step read = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), read);
@@ -34,17 +34,17 @@ Steps steps_from(const std::string& text) {
         return read;
     };
     const std::size_t dots = std::min(text.find(".."), text.size());
-    const Steps steps{number(std::string_view(text).substr(0, dots)),
-                      number(std::string_view(text).substr(std::min(dots + 2, text.size())))};
+    const StepsSaid steps{number(std::string_view(text).substr(0, dots)),
+                          number(std::string_view(text).substr(std::min(dots + 2, text.size())))};
     if (steps.first == 0 || steps.first > *steps.last)
         throw Refused("--steps " + text + ": this range contains no step");
     return steps;
 }
 
-Steps chosen_steps(const SayOptions& options) {
+StepsSaid chosen_steps(const SayOptions& options) {
     if (options.step == Step{0}) throw Refused("--step 0: the first step is 1");
     if (options.step) return {*options.step, *options.step};
-    return options.steps ? steps_from(*options.steps) : Steps{};
+    return options.steps ? steps_from(*options.steps) : StepsSaid{};
 }
 
 State state_before(const TraceReader& reader) { return State(reader.header()); }

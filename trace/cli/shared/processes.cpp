@@ -39,15 +39,15 @@ Parts parted(const std::string& text) {
 }
 
 /// How the work ended, before its parts.
-constexpr char done = 'd', refused = 'r', lost = 'l';
+constexpr char is_done = 'd', is_refused = 'r', is_lost = 'l';
 
 std::string text_of(const std::function<Parts()>& work) {
     try {
-        return done + joined(work());
+        return is_done + joined(work());
     } catch (const OutputLost& reason) {
-        return lost + std::string(reason.what());
+        return is_lost + std::string(reason.what());
     } catch (const Refused& reason) {
-        return refused + std::string(reason.what());
+        return is_refused + std::string(reason.what());
     }
 }
 
@@ -100,8 +100,8 @@ public:
     Parts parts() const {
         if (text_.empty()) throw Refused("a process ended without a result");
         const std::string rest = text_.substr(1);
-        if (text_.front() == lost) throw OutputLost(rest);
-        if (text_.front() == refused) throw Refused(rest);
+        if (text_.front() == is_lost) throw OutputLost(rest);
+        if (text_.front() == is_refused) throw Refused(rest);
         return parted(rest);
     }
 
