@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Proves pictures, and lets the three checkers of lessons/proof judge proofs, right and changed ones.
 
-    run.py VIDNO SCENES VERIFY ROOT WORK [--scenes N] [--changes N] [--pixels N] [--seed N]
+    run.py VIDNO SCENES VERIFY ROOT WORK [--scenes N] [--changes N] [--pixels N] [--seed N] [--first N]
 
 SCENES prints random scenes, VERIFY is the compiled verify.cpp, ROOT the repository, WORK a folder for files.
 
@@ -128,7 +128,7 @@ def random_scenes(first, count):
 
 
 def prove_random_scenes():
-    for number, scene in enumerate(random_scenes(0, options.scenes)):
+    for number, scene in enumerate(random_scenes(options.first, options.scenes), options.first):
         counts["random scenes"] += 1
         file = work / "scene.json"
         file.write_text(json.dumps(scene))
@@ -319,6 +319,7 @@ parser.add_argument("--scenes", type=int, default=2000)
 parser.add_argument("--changes", type=int, default=10000)
 parser.add_argument("--pixels", type=int, default=1000)
 parser.add_argument("--seed", type=int, default=1)
+parser.add_argument("--first", type=int, default=0, help="the first of the random scenes; with another, no files are read")
 options = parser.parse_args()
 options.vidno = options.vidno.resolve()
 is_whole = options.scenes >= 1000
@@ -329,8 +330,9 @@ work.mkdir(parents=True, exist_ok=True)
 checkers = Checkers(options.root / "lessons/proof", options.compiled)
 started = time.time()
 if options.scenes > 0:
-    prove_files()
-    prove_meshes([64, 128] if is_whole else [24])
+    if options.first == 0:
+        prove_files()
+        prove_meshes([64, 128] if is_whole else [24])
     prove_random_scenes()
 change_proofs()
 check_pixels()
