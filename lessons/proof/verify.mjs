@@ -1,5 +1,4 @@
-// Checks a proof that a picture shows a scene, as trace/PROOF.md explains: node verify.mjs SCENE.json PICTURE.ppm PROOF.jsonl
-import { readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs' // node verify.mjs SCENE.json PICTURE.ppm PROOF.jsonl: checks a proof, see trace/PROOF.md
 const check = (isTrue, reason) => isTrue || (console.error(reason), process.exit(1))
 const value = ([a, b, c], [x, y]) => a * x + b * y + c
 const contains = (a, b) => a[0] <= b[0] && a[1] <= b[1] && b[0] + b[2] <= a[0] + a[2] && b[1] + b[3] <= a[1] + a[3]

@@ -16,8 +16,8 @@ class Polygon:
 def rank(p, at): return value(polygons[p].depth, at), -p  # of the polygons that hold a place, the one of greatest rank shows
 scene, picture, proof = json.load(open(sys.argv[1])), open(sys.argv[2], "rb").read(), map(json.loads, open(sys.argv[3]))
 window = left, top, columns, rows = [scene["window"][key] for key in ("x", "y", "width", "height")]
-check(picture.startswith(header := b"P6\n%d %d\n255\n" % (columns, rows)) and "camera" not in scene, "no PPM of the size of the window, or a scene with a camera")
-check(next(proof) == {"format": "vidno-proof/1"}, "line 1: not a proof")
+header, is_proof = b"P6\n%d %d\n255\n" % (columns, rows), next(proof) == {"format": "vidno-proof/1"}
+check(is_proof and "camera" not in scene and picture.startswith(header), "not a scene on the screen, its PPM and a proof")
 polygons = dict(enumerate(map(Polygon, scene["polygons"])))  # a list would also have one at -1
 around, proved, half = [(window, set())], {}, fractions.Fraction(1, 2)
 for n, line in enumerate(proof, 2):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Proves pictures, and lets the three checkers of lessons/proof judge proofs, right and changed ones.
 
-    run.py VIDNO SCENES VERIFY ROOT WORK [--scenes N] [--changes N] [--pixels N] [--seed N]
+    run.py VIDNO SCENES VERIFY ROOT WORK [--scenes N] [--changes N] [--pixels N] [--seed N] [--first N]
 
 SCENES prints random scenes, VERIFY is the compiled verify.cpp, ROOT the repository, WORK a folder for files.
 
@@ -128,7 +128,7 @@ def random_scenes(first, count):
 
 
 def prove_random_scenes():
-    for number, scene in enumerate(random_scenes(0, options.scenes)):
+    for number, scene in enumerate(random_scenes(options.first, options.scenes), options.first):
         counts["random scenes"] += 1
         file = work / "scene.json"
         file.write_text(json.dumps(scene))
@@ -206,19 +206,18 @@ def change_proofs():
     files = work / "changed.json", work / "changed.ppm", work / "changed.jsonl"
     each = 25
     made = 0
-    first = 100000
-    while made < options.changes:
-        (scene,) = random_scenes(first, 1)
-        first += 1
+    for first, scene in enumerate(random_scenes(100000, 2 * options.changes // each + 1), 100000):
+        if made == options.changes:
+            break
         files[0].write_text(json.dumps(scene))
         truth = Scene(scene)
         rgb = truth.rgb()
         files[1].write_bytes(header(scene) + rgb)
         if not scene["polygons"] or vidno("prove", files[0], "--picture", files[1], "-o", files[2]).returncode != 0:
-            expect(not scene["polygons"], "no proof of scene", first - 1)
+            expect(not scene["polygons"], "no proof of scene", first)
             continue
         lines = lines_of(files[2].read_text())
-        expect(is_true(truth, rgb, lines), "truth.py refuses the proof of scene", first - 1)
+        expect(is_true(truth, rgb, lines), "truth.py refuses the proof of scene", first)
         for _ in range(min(each, options.changes - made)):
             made += 1
             changed, pixels, proof = copy.deepcopy(scene), bytearray(rgb), copy.deepcopy(lines)
@@ -231,7 +230,7 @@ def change_proofs():
             counts.update(["changes", f"changes that are {'still true' if still_true else 'false'}", "changed: " + what])
             for checker, (accepts, said) in checkers.verdicts(*files).items():
                 expect(accepts == still_true, "verify." + checker, "accepts" if accepts else "refuses", what, "of scene",
-                       first - 1, "which is", "true" if still_true else "false", said)
+                       first, "which is", "true" if still_true else "false", said)
 
 
 LESS, MORE = 1 - Fraction(1, 2**40), 1 + Fraction(1, 2**40)
@@ -299,8 +298,7 @@ def check_reasons(name, scene, pixel, told):
 def check_pixels():
     draw = random.Random(options.seed + 1)
     file = work / "why.json"
-    for number in range(options.pixels):
-        (scene,) = random_scenes(200000 + number, 1)
+    for number, scene in enumerate(random_scenes(200000, options.pixels), 200000):
         file.write_text(json.dumps(scene))
         x, y, width, height = (scene["window"][key] for key in ("x", "y", "width", "height"))
         pixel = draw.randrange(x, x + width), draw.randrange(y, y + height)
@@ -308,7 +306,7 @@ def check_pixels():
         expect(told.returncode == 0, "why", number, told.stderr)
         counts["pixels"] += 1
         if told.returncode == 0:
-            check_reasons(f"scene {200000 + number} pixel {pixel}:", scene, pixel, json.loads(told.stdout))
+            check_reasons(f"scene {number} pixel {pixel}:", scene, pixel, json.loads(told.stdout))
 
 
 parser = argparse.ArgumentParser()
@@ -321,6 +319,7 @@ parser.add_argument("--scenes", type=int, default=2000)
 parser.add_argument("--changes", type=int, default=10000)
 parser.add_argument("--pixels", type=int, default=1000)
 parser.add_argument("--seed", type=int, default=1)
+parser.add_argument("--first", type=int, default=0, help="the first of the random scenes; with another, no files are read")
 options = parser.parse_args()
 options.vidno = options.vidno.resolve()
 is_whole = options.scenes >= 1000
@@ -331,8 +330,9 @@ work.mkdir(parents=True, exist_ok=True)
 checkers = Checkers(options.root / "lessons/proof", options.compiled)
 started = time.time()
 if options.scenes > 0:
-    prove_files()
-    prove_meshes([64, 128] if is_whole else [24])
+    if options.first == 0:
+        prove_files()
+        prove_meshes([64, 128] if is_whole else [24])
     prove_random_scenes()
 change_proofs()
 check_pixels()
