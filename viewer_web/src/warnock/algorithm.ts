@@ -29,13 +29,11 @@ import {
   window,
 } from './ask.js';
 import { course, goals } from './course.js';
-import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { caption, drawing, pointed } from './solid.js';
-import { why } from './why.js';
 
 /** The corners of the current window, and the windows on the stack from the top. */
 function things({ after: { warnock } }: View): readonly string[] {
@@ -80,15 +78,10 @@ defineAlgorithm(methods.filter(hasWindows), {
   course,
   outline,
   goals,
-  watch: (pixel, { header: { detail } }) => new WarnockWatch(pixel, detail),
-  heading: ({ warnock }) => warnock?.window ?? null,
   owners(event, known, header) {
     if (event.e === 'fill') return ownersOf(event, known, header);
     return event.e === 'draw' ? ownedBy(event.polygon) : nobody;
   },
-  why,
-  entry: ({ event, outcome }, { missed }) =>
-    outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,
   abouts,
   askers: {
     plane,

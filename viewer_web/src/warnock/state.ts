@@ -1,6 +1,5 @@
 import type { Warnock } from '../replay/values.js';
 import type { Scene } from '../trace/header.js';
-import type { Box } from '../trace/values.js';
 
 /** Polygons that surround a window or are outside it, each with the level of the window at which it joined the list. */
 export type Joined = Warnock['joined']['surrounding'];
@@ -32,14 +31,6 @@ export const emptyWarnock: Warnock = {
   nearest: null,
   last: { ...nothingFound, count: 0, hasSurround: false, insider: false },
 };
-
-/** The windows that were divided on the way to the next one. */
-export function wayTo(next: Box, { way, window }: Pick<Warnock, 'way' | 'window'>): readonly Box[] {
-  return (window === null ? way : [...way, window]).filter((each) => holds(each, next));
-}
-
-const holds = ([x, y, width, height]: Box, [left, top, across, down]: Box): boolean =>
-  x <= left && y <= top && left + across <= x + width && top + down <= y + height;
 
 /** The polygons that may be visible in the window, in the order of the scene. */
 export function shownIn({ apl, joined }: Warnock, { polygons }: Scene): readonly string[] {
