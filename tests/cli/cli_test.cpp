@@ -70,6 +70,33 @@ TEST_CASE("replay --step stops there: before the first event there is only backg
     CHECK_FALSE(work.has("b.ppm"));
 }
 
+TEST_CASE("say: what happens at each step, or at some, in a language") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene), trace = work.file("run.jsonl.gz");
+    REQUIRE(program("trace " + scene + " --detail windows -o " + trace).status == 0);
+    // The window around the area is 2 x 2, and half of it lies in the area. The polygon is named by its place.
+    const auto all = program("say " + trace);
+    CHECK(all.status == 0);
+    CHECK(all.text ==
+          "1: The first window, (0, 0) 2 × 2, goes on the stack with 0.\n"
+          "2: The window (0, 0) 2 × 2 comes off the stack.\n"
+          "3: Only 0 is left in the window: background first, then 0.\n"
+          "4: 2 pixels take the background.\n"
+          "5: 1 pixel takes the colour of 0 in 1 row.\n");
+    CHECK(program("say " + trace + " --step 4").text == "4: 2 pixels take the background.\n");
+    CHECK(program("say " + trace + " --steps 4..5 --language ru").text ==
+          "4: 2 пикселя получают цвет фона.\n5: 1 пиксель получает цвет 0 в 1 строке.\n");
+
+    for (const std::string wrong : {"--step 6", "--step 0", "--steps 2", "--steps 3..2", "--steps 1..9"}) {
+        const auto refused = program("say " + trace + ' ' + wrong);
+        CHECK_MESSAGE(refused.status == 2, wrong);
+    }
+    REQUIRE(program("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl")).status == 1);
+    const auto partial = program("say " + work.file("few.jsonl"));
+    CHECK(partial.status == 1);
+    CHECK(partial.text.find("partial") != std::string::npos);
+}
+
 TEST_CASE("diff: the step at which two traces diverge") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
@@ -905,8 +932,8 @@ TEST_CASE("figure: an impossible figure is refused in one line, and no file appe
 TEST_CASE("Help lists the commands, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "page --help", "map --help", "figure --help", "stability --help", "homework --help", "worksheet --help",
-          "import --help", "methods", "--version"}) {
+          "page --help", "map --help", "say --help", "figure --help", "stability --help", "homework --help",
+          "worksheet --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -19,6 +19,7 @@ void add_map(CLI::App& program, int& status);
 void add_margin(CLI::App& program, int& status);
 void add_chart(CLI::App& program, int& status);
 void add_replay(CLI::App& program, int& status);
+void add_say(CLI::App& program, int& status);
 void add_figure(CLI::App& program, int& status);
 void add_diff(CLI::App& program, int& status);
 void add_page(CLI::App& program, int& status);

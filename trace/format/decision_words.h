@@ -26,4 +26,10 @@ inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
     {"whether the two are parallel", "параллельны ли прямые или плоскости"},
 }};
 
+/// Why a decision is wrong, in the order of Cause.
+inline constexpr std::array<Bilingual, cause_names.size()> cause_words{{
+    {"This operation rounded.", "Погрешность округления в этой операции."},
+    {"Right for its operands, which had drifted before.", "Для своих операндов верно: погрешность накоплена раньше."},
+}};
+
 }  // namespace vidno

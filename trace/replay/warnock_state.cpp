@@ -1,6 +1,7 @@
 #include "replay/warnock_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vidno {
 
@@ -92,7 +93,7 @@ void WarnockState::take(const event::Nearer& e, Screen&) {
 
 void WarnockState::take(const event::Uncover&, Screen&) {
     set(&Findings::has_surround, false);
-    covering_.reset();
+    uncovered_ = std::exchange(covering_, std::nullopt);
 }
 
 void WarnockState::take(const event::Cover& e, Screen&) {

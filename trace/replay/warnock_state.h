@@ -107,6 +107,8 @@ public:
     const Findings& last() const { return last_; }
     /// The polygon that surrounds the window and hides all others so far.
     std::optional<PolygonPlace> covering() const { return covering_; }
+    /// The polygon that did so until the last event Uncover.
+    std::optional<PolygonPlace> uncovered() const { return uncovered_; }
     const std::optional<Clip>& clip() const { return clip_; }
     /// The depths of the current polygon at the corners so far.
     const std::vector<Value>& depths() const { return depths_; }
@@ -182,7 +184,7 @@ private:
     int next_list_ = 0;
     OtherLists joined_;
     Findings found_, last_;
-    std::optional<PolygonPlace> covering_;
+    std::optional<PolygonPlace> covering_, uncovered_;
     std::optional<Clip> clip_;
     std::vector<Value> depths_;
     bool are_depths_compared_ = false;

@@ -7,7 +7,8 @@ namespace vidno::cli {
 namespace {
 
 /// Those that need neither threads nor other programs.
-constexpr std::array all{add_trace, add_check, add_need, add_map, add_replay, add_figure, add_diff, add_methods};
+constexpr std::array all{add_trace, add_check,  add_need, add_map,    add_replay,
+                         add_say,   add_figure, add_diff, add_methods};
 
 }  // namespace
 

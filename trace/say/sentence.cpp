@@ -1,0 +1,37 @@
+#include "say/sentence.h"
+
+#include "say/tables.h"
+
+namespace vidno::say {
+
+namespace {
+
+/// `x ≈ 0.3`, not `x = ≈0.3`.
+std::string without_doubled_signs(std::string text) {
+    constexpr std::string_view doubled = "= ≈", single = "≈ ";
+    for (auto at = text.find(doubled); at != text.npos; at = text.find(doubled, at)) {
+        text.replace(at, doubled.size(), single);
+    }
+    return text;
+}
+
+std::string of_algorithm(const EventView& event, const PolygonWords& words) {
+    switch (algorithm_of(words.header().method)) {
+        case Algorithm::warnock: return warnock_sentence(event, words);
+        case Algorithm::z_buffer: return z_buffer_sentence(event, words);
+        case Algorithm::weiler_atherton: return weiler_atherton_sentence(event, words);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string sentence(const EventView& event, const State& after, Language language) {
+    return without_doubled_signs(of_algorithm(event, PolygonWords(after, language)));
+}
+
+std::string sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
+    return without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language)));
+}
+
+}  // namespace vidno::say

@@ -1,0 +1,98 @@
+#include "say/words.h"
+
+namespace vidno::say {
+
+namespace {
+
+bool is_one_in_russian(long long n) { return n % 10 == 1 && n % 100 != 11; }
+
+bool are_few(long long n) { return n % 10 >= 2 && n % 10 <= 4 && (n % 100 < 12 || n % 100 > 14); }
+
+bool is_one(long long n, Language language) { return language == Language::russian ? is_one_in_russian(n) : n == 1; }
+
+}  // namespace
+
+std::string filled(std::string_view text, std::initializer_list<std::string> parts) {
+    std::string made;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '{') {
+            made += text[i];
+            continue;
+        }
+        const bool is_numbered = text[i + 1] != '}';
+        made += parts.begin()[is_numbered ? std::size_t(text[i + 1] - '0') : next++];
+        i += is_numbered ? 2 : 1;
+    }
+    return made;
+}
+
+std::string capital(std::string text) {
+    constexpr std::pair<std::string_view, std::string_view> letters[] = {
+        {"в", "В"}, {"л", "Л"}, {"п", "П"}, {"с", "С"}};
+    for (const auto& [small, large] : letters) {
+        if (text.starts_with(small)) return text.replace(0, small.size(), large);
+    }
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] += 'A' - 'a';
+    return text;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+    std::string text;
+    for (const auto& part : parts) {
+        if (&part != &parts.front()) text += between;
+        text += part;
+    }
+    return text;
+}
+
+std::string listed(const std::vector<std::string>& parts, std::string_view last) {
+    if (parts.size() < 2) return joined(parts, "");
+    return filled("{} {} {}", {joined({parts.begin(), parts.end() - 1}, ", "), std::string(last), parts.back()});
+}
+
+std::string Words::word(const Window& window) const {
+    return filled("{} {} × {}", {pair(window.x, window.y), word(Value(window.width)), word(Value(window.height))});
+}
+
+std::string Words::list(const std::vector<Value>& numbers) const {
+    std::vector<std::string> words;
+    for (const auto& number : numbers) words.push_back(word(number));
+    // Where numbers have a comma, a semicolon stands between them.
+    return joined(words, language_ == Language::russian ? "; " : ", ");
+}
+
+std::string Words::counted(long long n, const Plurals& forms) const {
+    const auto& [one, few, other] = forms.in(language_);
+    const bool has_few = language_ == Language::russian && are_few(n);
+    return std::to_string(n) + " " + std::string(is_one(n, language_) ? one : has_few ? few : other);
+}
+
+std::string Words::takes(long long n) const {
+    const Bilingual takes = is_one(n, language_) ? Bilingual{"takes", "получает"} : Bilingual{"take", "получают"};
+    return counted(n, pixel_forms) + " " + std::string(in(takes));
+}
+
+std::string Words::columns(int first, int last) const {
+    if (first == last) return say("column {}", "столбец {}", first);
+    return language_ == Language::russian ? "столбцы " + range(first, last) : say("columns {} to {}", "", first, last);
+}
+
+std::string Words::range(int first, int last) const {
+    // A dash after a minus sign, or before one, would be hard to read.
+    return first == last ? word(first) : word(first) + (first < 0 ? "…" : "–") + word(last);
+}
+
+std::vector<std::string> PolygonWords::names(const std::vector<PolygonPlace>& polygons) const {
+    std::vector<std::string> names;
+    for (const auto polygon : polygons) names.push_back(word(polygon));
+    return names;
+}
+
+std::string PolygonWords::some(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 6;
+    if (names.size() <= most) return joined(names, ", ");
+    return filled("{} … ({})", {joined({names.begin(), names.begin() + most}, ", "), std::to_string(names.size())});
+}
+
+}  // namespace vidno::say
