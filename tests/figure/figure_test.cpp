@@ -10,7 +10,6 @@
 #include <set>
 
 #include "characters.h"
-#include "figure/caption.h"
 #include "figure/notation.h"
 #include "figure/patches.h"
 #include "figure/table.h"
@@ -57,6 +56,12 @@ std::vector<std::string> texts_of(const Drawing& drawing) {
 bool has_text(const Drawing& drawing, const std::string& text) {
     const auto texts = texts_of(drawing);
     return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+/// Whether a line of text begins so.
+bool has_line(const Drawing& drawing, const std::string& beginning) {
+    const auto texts = texts_of(drawing);
+    return std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return text.starts_with(beginning); });
 }
 
 std::size_t count_of(std::string_view text, std::string_view part) {
@@ -291,32 +296,34 @@ TEST_CASE("corners are named by their places on the screen, where y grows downwa
     CHECK(places_of({}, words) == "—");
 }
 
-TEST_CASE("a caption says what happens, and else what the line of the listing says") {
+TEST_CASE("a caption is the sentence of its step") {
     const TraceHeader header = header_of(near_before_far());
     CHECK(caption_of(Moment(header), Language::english) == "the run begins");
     auto events = a_division();
     events.push_back(event::Box{Line::PW3, {1}, {4., 4., 12., 12.}, true, {}});
-    CHECK(caption_of(after(header, events), Language::english) == "the box of B lies outside the window");
-    CHECK(caption_of(after(header, events), Language::russian) == "габарит B лежит вне окна");
+    CHECK(caption_of(after(header, events), Language::english) == "The box of B lies outside the window.");
+    CHECK(caption_of(after(header, events), Language::russian) == "Габаритный прямоугольник B лежит вне окна.");
     events.push_back(event::Call{Line::PW8, Procedure::surround_test});
     CHECK(caption_of(after(header, events), Language::english) ==
-          "PW8: if not Sᵢ and SurroundTest(x, y, Pᵢ) at all four corners: Sᵢ := true");
+          "SurroundTest begins: does the point lie in the polygon?");
 }
 
-TEST_CASE("a caption says the sign of an edge at a corner") {
+TEST_CASE("a caption says on which side of an edge a corner lies") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.push_back(event::Orient{Line::S2, {1}, 2, {8., 16.}, -4., Sign::negative, {}});
-    CHECK(caption_of(after(header, events), Language::english) == "edge 2 of B has the sign − at (8, 16)");
-    CHECK(caption_of(after(header, events), Language::russian) == "знак ребра 2 у B в точке (8; 16): −");
+    CHECK(caption_of(after(header, events), Language::english) ==
+          "The point lies on the negative side of edge 2 of B (−4).");
+    CHECK(caption_of(after(header, events), Language::russian) ==
+          "Точка лежит по отрицательную сторону ребра 2 многоугольника B (−4).");
 }
 
 TEST_CASE("a caption writes numbers in the format of its language") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.push_back(event::Depth{Line::PC3, {1}, {4.5, 2.}, 0.125});
-    CHECK(caption_of(after(header, events), Language::english) == "B has z = 0.125 at (4.5, 2)");
-    CHECK(caption_of(after(header, events), Language::russian) == "z = 0,125 у B в точке (4,5; 2)");
+    CHECK(caption_of(after(header, events), Language::english) == "At the point (4.5, 2) B has depth 0.125.");
+    CHECK(caption_of(after(header, events), Language::russian) == "В точке (4,5; 2) глубина B равна 0,125.");
 }
 
 TEST_CASE("the letters of a strip's panels") {
@@ -607,9 +614,9 @@ TEST_CASE("a strip has its captions, and each part at one height in all panels")
     }
     REQUIRE(heads.size() == 2);
     CHECK(heads[0].y == heads[1].y);
-    CHECK(has_text(strip, "(a) window (8, 8) 8 × 8 is taken from the stack"));
-    CHECK(has_text(strip, "(b) 8 × 8 pixels are filled"));
-    CHECK(has_text(strip_of_all({.language = Language::russian}), "(a) из стека взято окно (8; 8) 8 × 8"));
+    CHECK(has_line(strip, "(a) The window (8, 8) 8 × 8 comes off the stack"));
+    CHECK(has_line(strip, "(b) 64 pixels take the colour of A."));
+    CHECK(has_line(strip_of_all({.language = Language::russian}), "(a) Окно (8; 8) 8 × 8 берётся из стека"));
 }
 
 TEST_CASE("no line is thinner than 0.25 points") {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "figure/caption.h"
 #include "figure/figure.h"
 #include "figure/floating_horizon_parts.h"
 #include "figure/writers.h"
@@ -138,13 +137,15 @@ TEST_CASE("curve figure: a caption says what happens to the curve and the horizo
         events.insert(events.end(), next.begin(), next.end());
         return caption_of(after(header, events), language);
     };
-    CHECK(said({hidden}, Language::english) == "over column 3 the curve is hidden");
+    CHECK(said({hidden}, Language::english) ==
+          "Over column 3 the curve is hidden (0): it is strictly between the horizons.");
     CHECK(said({event::Call{Line::FH7, Procedure::intersection},
                 event::Intersection{Line::FH7, {0, 4}, {2.5, 8.}, {2, 3}}},
-               Language::russian) == "кривая встречает горизонт в точке (2,5; 8)");
+               Language::russian) ==
+          "Отрезок встречается с нижним горизонтом в точке (2,5; 8), между столбцами 2 и 3.");
     CHECK(said({event::Call{Line::FH7, Procedure::horizon}, event::Raise{Line::H2, 3, 7.5}}, Language::english) ==
-          "over column 3 the upper horizon rises to 7.5");
-    CHECK(caption_of(after(header, events), Language::russian) == "над столбцом 3 верхний горизонт поднимается до 7,5");
+          "Over column 3 the upper horizon moves to 7.5.");
+    CHECK(caption_of(after(header, events), Language::russian) == "Над столбцом 3 верхний горизонт теперь на 7,5.");
 }
 
 TEST_CASE("curve figure: the printed edition has the printed listing") {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "caption.h"
 #include "floating_horizon_parts.h"
 #include "refused.h"
+#include "say/sentence.h"
 #include "table.h"
 #include "weiler_atherton_parts.h"
 #include "wrap.h"
@@ -26,12 +26,27 @@ std::size_t columns_for(const Options& options) {
     return (options.moments + rows - 1) / rows;
 }
 
+std::string said_of(const auto& moment, Language language) {
+    if (!moment.event()) return std::string(words_of(language).start);
+    return say::sentence(*moment.event(), moment.state(), language);
+}
+
 void append(auto& parts, Drawing drawing) {
     parts.height = std::max(parts.height, drawing.height);
     parts.drawings.push_back(std::move(drawing));
 }
 
 }  // namespace
+
+std::string caption_of(const Moment& moment, Language language) { return said_of(moment, language); }
+std::string caption_of(const FloatingHorizonMoment& moment, Language language) { return said_of(moment, language); }
+
+std::string letter_of(std::size_t place) {
+    constexpr std::size_t letters = 26;
+    std::string text(1, char('a' + place % letters));
+    if (place >= letters) text.insert(0, 1, char('a' + place / letters - 1));
+    return "(" + text + ")";
+}
 
 Figure::Figure(const Options& options) : options_(options), columns_(columns_for(options)) {
     panel_width_ = (options.width - panel_gap * double(columns_ - 1)) / double(columns_);

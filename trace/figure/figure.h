@@ -27,6 +27,13 @@ struct Options {
     bool shows_text() const { return shows(Part::list) || shows(Part::listing) || shows(Part::history); }
 };
 
+/// The caption of a moment: the sentence of its step.
+std::string caption_of(const Moment& moment, Language language);
+std::string caption_of(const FloatingHorizonMoment& moment, Language language);
+
+/// The letter of a panel: "(a)" for 0, "(z)" for 25, "(aa)" for 26.
+std::string letter_of(std::size_t place);
+
 class Figure {
 public:
     explicit Figure(const Options& options);
