@@ -3,42 +3,11 @@
 //     node replay.mjs REPLAY.wasm TRACE STATES
 import { deepStrictEqual } from 'node:assert';
 import { readFileSync } from 'node:fs';
+import { engineOf } from './engine.mjs';
 
 const [module, traceFile, statesFile] = process.argv.slice(2);
 
-const compiled = new WebAssembly.Module(readFileSync(module));
-// The linker takes a function of ours that no object has for one of the page's.
-const missing = WebAssembly.Module.imports(compiled).filter(
-  ({ module: from, name }) => from === 'env' && name !== 'emscripten_notify_memory_growth',
-);
-if (missing.length > 0) throw new Error(`not linked: ${missing.map(({ name }) => name).join(', ')}`);
-const nothing = new Proxy({}, { get: () => () => 0 });
-const { exports: wasm } = new WebAssembly.Instance(compiled, {
-  env: nothing,
-  wasi_snapshot_preview1: nothing,
-});
-wasm._initialize();
-
-const decoder = new TextDecoder();
-const bytes = (at, size) => new Uint8Array(wasm.memory.buffer, at, size);
-const made = () => decoder.decode(bytes(wasm.made(), wasm.made_size()));
-const messages = () => decoder.decode(bytes(wasm.messages(), wasm.messages_size()));
-
-/** Reads the file in pieces that end anywhere. */
-function opened(file) {
-  const trace = wasm.trace_open();
-  const piece = 1000;
-  for (let from = 0; from < file.length; from += piece) {
-    const part = file.subarray(from, from + piece);
-    bytes(wasm.request(part.length), part.length).set(part);
-    if (!wasm.trace_append(trace)) throw new Error(messages());
-  }
-  if (!wasm.trace_finish(trace)) throw new Error(messages());
-  wasm.trace_shortened(trace);
-  if (made() !== '') throw new Error(made());
-  return trace;
-}
-
+const { wasm, made, opened } = engineOf(module);
 const trace = opened(readFileSync(traceFile));
 wasm.trace_header(trace);
 const { method, scene } = JSON.parse(made());

@@ -172,17 +172,23 @@ std::vector<std::string> labels_of(const nlohmann::json& listings, const nlohman
     return labels;
 }
 
-std::string words_of_decisions() {
-    std::string text =
-        "\n/** What a decision is about, for the middle of a sentence. */\nexport const decisionWords = {\n";
+/// A constant of the page: words by language and name.
+std::string words_by_name(const std::string& constant, const auto& names, const auto& words) {
+    std::string text = "export const " + constant + " = {\n";
     for (const Language language : languages) {
         text += "  " + std::string(code_of(language)) + ": {\n";
-        for (std::size_t i = 0; i < decision_names.size(); ++i) {
-            text += "    " + std::string(decision_names[i]) + ": " + in_quotes(decision_words[i].in(language)) + ",\n";
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            text += "    " + std::string(names[i]) + ": " + in_quotes(words[i].in(language)) + ",\n";
         }
         text += "  },\n";
     }
     return text + "} as const;\n";
+}
+
+std::string words_of_decisions() {
+    return "\n/** What a decision is about, for the middle of a sentence. */\n" +
+           words_by_name("decisionWords", decision_names, decision_words) + "\n/** Why a decision is wrong. */\n" +
+           words_by_name("causeWords", cause_names, cause_words);
 }
 
 std::string events_of_methods(const std::string& listings_text) {

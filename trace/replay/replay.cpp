@@ -48,6 +48,7 @@ Replay::Run::Run(AnyHeader of)
       reader(context_of(header), header.index() == 0 ? "picture" : "lines"),
       end(start_of(header)),
       current(end),
+      beside(end),
       keyframes{end},
       spacing(least_spacing),
       values(std::visit([](const auto& any) { return polygon_names(any.scene); }, header)) {}
@@ -140,20 +141,33 @@ const Replay::Block& Replay::Run::block_of(std::uint64_t step) const {
     return *std::prev(std::upper_bound(blocks.begin(), blocks.end(), step, after));
 }
 
-std::string_view Replay::line(std::uint64_t step) const {
-    const Block& block = run_->block_of(step);
+std::string_view Replay::Run::line(std::uint64_t step) const {
+    const Block& block = block_of(step);
     const std::size_t start = block.starts[step - 1 - block.before];
     return std::string_view(block.bytes).substr(start, block.bytes.find('\n', start) - start);
 }
 
-const AnyState& Replay::seek(std::uint64_t step) {
-    Run& run = *run_;
-    const AnyState& kept = run.kept_before(step);
-    if (step_of(run.current) > step || step_of(run.current) < step_of(kept)) run.current = kept;
-    for (std::uint64_t at = step_of(run.current) + 1; at <= step; ++at) {
-        take(run.current, run.reader.again(line(at)));
+std::string_view Replay::line(std::uint64_t step) const { return run_->line(step); }
+
+/// Lets a state go to a step.
+void Replay::Run::go(AnyState& state, std::uint64_t step) {
+    const AnyState& kept = kept_before(step);
+    if (step_of(state) > step || step_of(state) < step_of(kept)) state = kept;
+    for (std::uint64_t at = step_of(state) + 1; at <= step; ++at) {
+        take(state, reader.again(line(at)));
     }
-    return run.current;
+}
+
+const AnyState& Replay::seek(std::uint64_t step) {
+    run_->go(run_->current, step);
+    return run_->current;
+}
+
+Replay::Looked Replay::look_at(std::uint64_t step) {
+    Run& run = *run_;
+    const bool is_shown = step_of(run.current) == step;
+    if (!is_shown) run.go(run.beside, step);
+    return {run.reader.again(line(step)), is_shown ? run.current : run.beside};
 }
 
 void Replay::append_values(Text& out, std::uint64_t step) {

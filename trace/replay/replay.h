@@ -54,6 +54,13 @@ public:
     /// The state of the last seek, at first that before all steps.
     const AnyState& shown() const { return run_->current; }
 
+    /// The event of a step, and the state after it. They stay until the next call; the state that is shown stays as it is.
+    struct Looked {
+        EventView event;
+        const AnyState& after;
+    };
+    Looked look_at(std::uint64_t step);
+
     /// Appends the values after a step as JSON (values.h), and goes there: from the second call on as they differ from those of the last one.
     void append_values(Text& out, std::uint64_t step);
 
@@ -67,7 +74,8 @@ private:
     struct Run {
         AnyHeader header;
         EventReader reader;
-        AnyState end, current;  // after the last step; after the one asked for
+        AnyState end, current;  // after the last step; after the one that is shown
+        AnyState beside;        // after one that was looked at
         std::vector<Block> blocks{};
         std::vector<std::uint8_t> names{};
         std::vector<AnyState> keyframes{};  // by step, the beginning first
@@ -78,6 +86,8 @@ private:
 
         explicit Run(AnyHeader of);
         const AnyState& kept_before(std::uint64_t step) const;
+        std::string_view line(std::uint64_t step) const;
+        void go(AnyState& state, std::uint64_t step);
         const Block& block_of(std::uint64_t step) const;
         void keep();
     };

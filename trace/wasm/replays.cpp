@@ -14,6 +14,8 @@
 ///     trace_length(t)        the number of steps read so far
 ///     trace_names(t)         for each step the index of its event in the table of events, one byte each
 ///     trace_line(t, step)    makes the text of a step's event as it was read
+///     trace_sentence(t, step, language)
+///                            makes the sentence that says what a step does, in the language with this place in the table of languages
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last (values.h)
 ///
 /// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an empty one has.
@@ -39,6 +41,7 @@
 #include <vector>
 
 #include "replay/replay.h"
+#include "say/sentence.h"
 #include "wasm/exchange.h"
 
 namespace vidno {
@@ -85,6 +88,12 @@ const Value* depth_at(int number, int x, int y) {
     const bool has_one = screen != nullptr && screen->depths() && screen->area().contains(x, y);
     return has_one ? &screen->depths()->at(x, y) : nullptr;
 }
+
+struct Sentence {
+    EventView event;
+    Language language;
+    std::string operator()(const auto& after) const { return say::sentence(event, after, language); }
+};
 
 void append_shortened(Text& out, const Replay::Shortened& shortened) {
     constexpr std::string_view names[] = {"cut", "partial", "wrong"};
@@ -141,6 +150,13 @@ extern "C" {
 
 [[clang::export_name("trace_line")]] void vidno_trace_line(int trace, std::size_t step) {
     vidno::attempt([&](vidno::Exchange& page) { page.made += vidno::replay(trace).line(step); });
+}
+
+[[clang::export_name("trace_sentence")]] void vidno_trace_sentence(int trace, std::size_t step, int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const auto [event, after] = vidno::replay(trace).look_at(step);
+        page.made += std::visit(vidno::Sentence{event, vidno::Language(language)}, after);
+    });
 }
 
 [[clang::export_name("trace_values")]] void vidno_trace_values(int trace, std::size_t step) {

@@ -4,7 +4,7 @@ import type { Abouts } from '../exactness/mapped-decision.js';
 import type { Entry, Watch } from '../history/entry.js';
 import type { Reason } from '../history/why.js';
 import type { SolidTexts } from '../language/solid-texts.js';
-import type { HistoryTexts, SentencesOf } from '../language/texts.js';
+import type { HistoryTexts } from '../language/texts.js';
 import type { Known } from '../language/words.js';
 import type { Notes } from '../listing/notes.js';
 import type { Outlined } from '../outline/outlined.js';
@@ -31,8 +31,6 @@ import type { View } from './view.js';
  * of its runs is its `Model`. Warnock's algorithm has several methods, its variants; each of the others has one.
  */
 export interface Algorithm {
-  /** The sentences of its own events, and of common events about which it says more. */
-  readonly sentences: Partial<SentencesOf<EventName>>;
   /** The notes of its events beside their lines of the listing. */
   readonly notes: Partial<Notes>;
   /** The events that make another window, polygon, curve or list the current item. */

@@ -11,7 +11,6 @@ import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { ownersAt } from './owners.js';
 import type { Owners } from './owners.js';
-import { sentence } from './sentence.js';
 
 /** A step as the components show it: its event, and the states before and after it. */
 export interface View {
@@ -68,7 +67,7 @@ export function viewOf(trace: Trace, step: number, choice: Choice): View {
     columns: after.floatingHorizon ?? null,
     lines: after.lines ?? [],
     texts: page,
-    sentence: event ? sentence(event, before, after, header, language) : page.start,
+    sentence: event ? timeline.sentence(step, language) : page.start,
   };
 }
 

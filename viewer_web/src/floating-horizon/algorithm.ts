@@ -7,7 +7,6 @@ import { figureOf } from './figure.js';
 import { ColumnWatch } from './history.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences } from './sentences.js';
 
 /** The curves, and the columns examined last, since there may be thousands of columns. */
 function things({ header, after: { floatingHorizon } }: View): readonly string[] {
@@ -25,7 +24,6 @@ function landmark(event: Event, inHand: string): string | null {
 }
 
 defineAlgorithm(['floating-horizon'], {
-  sentences,
   notes,
   begins: ['curve'],
   things,

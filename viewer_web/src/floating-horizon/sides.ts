@@ -1,8 +1,6 @@
 import { hasDefect } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
-import type { Event } from '../trace/events.js';
 import type { Flag } from './events.js';
-import type { FloatingHorizon } from './state.js';
 
 /** A point of a curve lies above the horizons, below them, or hidden between them. */
 export type Side = 'above' | 'below' | 'hidden';
@@ -12,20 +10,6 @@ export function sideBeside(flag: Flag, neighbour: Flag): Side {
   if (flag === 0) return 'hidden';
   if (flag === 2) return neighbour === -1 ? 'below' : 'above';
   return flag === 1 ? 'above' : 'below';
-}
-
-/** The horizon that a segment meets; null if that differs between editions (X-H2) or is unknown. */
-export function metBy(
-  at: Event<'intersection'>['at'],
-  state: Pick<FloatingHorizon, 'place'> | null,
-): 'upper' | 'lower' | null {
-  const { previous = null, current = null } = state?.place ?? {};
-  if (previous === null || current === null) return null;
-  const was = sideBeside(previous[1], current[1]);
-  const is = sideBeside(current[1], previous[1]);
-  const side = at === 'FH7' ? was : is;
-  if (side === 'above') return 'upper';
-  return side === 'below' && was !== 'hidden' ? 'lower' : null;
 }
 
 /** Whether the printed text finds a point below, but does not draw it (X-H1). */

@@ -26,7 +26,7 @@ describe.each(traceNames)('every pixel of %s', (name) => {
         if (missed) continue;
         for (const language of languages) {
           const { sentence } = viewOf(trace, entry.step, { language, pixel: null, pointed: null });
-          expect(sayEntry(entry, trace.header, language)).toBe(sentence);
+          expect(sayEntry(entry, trace, language)).toBe(sentence);
         }
       }
     }

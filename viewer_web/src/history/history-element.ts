@@ -152,7 +152,7 @@ export class HistoryElement extends LitElement {
         <span class="said"
           >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${sayEntry(
             entry,
-            view.header,
+            history.trace,
             view.language,
           )}</span
         >

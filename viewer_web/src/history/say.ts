@@ -1,8 +1,7 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
-import { sentence } from '../algorithm/sentence.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { Header } from '../trace/header.js';
+import type { Trace } from '../replay/trace.js';
 import type { Entry } from './entry.js';
 import type { History } from './history.js';
 import type { Reason } from './why.js';
@@ -10,10 +9,9 @@ import type { Reason } from './why.js';
 const untouched: Reason = { why: 'untouched', polygon: null };
 
 /** An entry in one sentence: that of its step, or for a polygon that missed the pixel only that fact. */
-export function sayEntry(entry: Entry, header: Header, language: Language): string {
-  const { event, known } = entry;
+export function sayEntry(entry: Entry, { header, timeline }: Trace, language: Language): string {
   const own = algorithmOf(header).entry?.(entry, texts[language].history) ?? null;
-  return own ?? sentence(event, known, known, header, language);
+  return own ?? timeline.sentence(entry.step, language);
 }
 
 /** Why the pixel has, or after step `now` will have, the colour of this entry, the last one to paint it. */

@@ -23,7 +23,6 @@ const texts = execFileSync(
       (/^(?:README|CHANGELOG|COMPATIBILITY|CONTRIBUTING)\.md$/.test(file) ||
         /^(?:lessons|trace)\/.*\.md$/.test(file) ||
         /^viewer_web\/src\/i18n\/(?:en|ru)\//.test(file) ||
-        /^viewer_web\/src\/.*sentences\.ts$/.test(file) ||
         /^(?:trace|lib)\/.*\.(?:cpp|h|json)$/.test(file)) &&
       file !== 'lessons/GLOSSARY.md',
   )

@@ -1,6 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { sentence } from '../algorithm/sentence.js';
-import { viewOf } from '../algorithm/view.js';
 import { languages } from '../language/language.js';
 import { floatingHorizonFacts } from '../testing/facts/floating-horizon.js';
 import type { Fact, Facts, Moment, ProgramState } from '../testing/facts/fact.js';
@@ -41,16 +39,14 @@ async function faultsOf(made: string, run: RandomRun): Promise<readonly string[]
     const moment = moments.take(event, after);
     const fact = (facts[event.e] as (event: Event, moment: Moment) => Fact)(event, moment);
     met.add(event.e);
-    const { before, after: now } = viewOf(trace, i + 1, shown);
     return languages.flatMap((language) => {
-      const said = sentence(event, before, now, trace.header, language);
+      const said = trace.timeline.sentence(i + 1, language);
       const fault = faultOf(said, fact, ids, language);
       return fault === null ? [] : [`${line} “${said}” ${fault}`];
     });
   });
 }
 
-const shown = { language: 'en', pixel: null, pointed: null } as const;
 const met = new Set<EventName>();
 const inTurn = 4;
 

@@ -8,10 +8,8 @@ import {
   methodTitle,
 } from '../trace/editions.js';
 import type { Edition, NamedEdition } from '../trace/editions.js';
-import type { Method, Procedure, Variant } from '../trace/events.js';
+import type { Method, Variant } from '../trace/events.js';
 import type { Language } from './language.js';
-
-type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
 
 type Names = Readonly<Record<Variant, string>>;
 
@@ -69,7 +67,6 @@ export interface FamilyTexts {
   readonly methods: Names;
   /** The input and the rule of each method. */
   readonly rules: Readonly<Record<Method, string>>;
-  readonly purposes: Readonly<Record<OfVariants & Procedure, string>>;
   readonly panel: FamilyPanelTexts;
 }
 

@@ -8,7 +8,7 @@ import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Range } from '../time/range.js';
 import type { NamedEdition } from '../trace/editions.js';
-import type { Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Method } from '../trace/events.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Corner } from '../trace/values.js';
 import type { AtlasTexts } from './atlas-texts.js';
@@ -17,7 +17,6 @@ import type { CurveTexts } from './curve-texts.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { FamilyTexts } from './family-texts.js';
 import type { KeyTexts, KeyUse, NewsTexts } from './key-texts.js';
-import type { Bilingual } from './language.js';
 import type { OutlineTexts } from './outline-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
@@ -27,12 +26,6 @@ import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
 import type * as words from './words.js';
 import type { TourTexts, VerdictTexts, WordTexts } from './word-texts.js';
-import type { Words } from './words.js';
-
-/** One sentence per event in each language, made from the event and its step. */
-export type SentencesOf<Names extends EventName> = {
-  readonly [K in Names]: Bilingual<(event: Event<K>, words: Words) => string>;
-};
 
 export type ReasonTexts = {
   readonly [K in Reason]: (...details: Reasons[K]) => string;
@@ -52,21 +45,11 @@ export type Numbers = Pick<
   | 'windowText'
 >;
 
-/** Parts of sentences that several algorithms use. */
-export interface Phrases {
-  /** "column 3", "columns 3 to 5". */
-  readonly columnsOf: (first: number, last: number) => string;
-  /** "3 pixels take". */
-  readonly takes: (n: number, words: Words) => string;
-}
-
-/** The page's texts in one language, except for the sentences of its events, which are in one table for both languages. */
+/** The page's texts in one language, except for the sentences of events, which are the library's. */
 export interface Texts {
   readonly numbers: Numbers;
-  readonly phrases: Phrases;
   readonly page: PageTexts;
   readonly places: Readonly<Record<Corner, string>>;
-  readonly purposes: Readonly<Record<Procedure, string>>;
   readonly reasons: ReasonTexts;
   readonly history: HistoryTexts;
   readonly travel: TravelTexts;

@@ -1,8 +1,6 @@
 import type { FloatingHorizon, Warnock, WeilerAtherton } from '../replay/values.js';
 import type { ZBufferValues } from '../trace/event-table.js';
-import type { Header } from '../trace/header.js';
-import type { Box, Corner, N } from '../trace/values.js';
-import type { Numbers, Phrases, Texts } from './texts.js';
+import type { Box, N } from '../trace/values.js';
 
 const shortest = 7;
 const longest = 40;
@@ -117,12 +115,6 @@ export const list = (all: readonly N[], write = short): string =>
 
 export const point = (at: readonly N[]): string => `(${list(at)})`;
 
-/** A range of whole numbers, with a dash where possible. */
-export function rangeOf(first: number, last: number): string {
-  if (first === last) return short(first);
-  return `${short(first)}${first < 0 ? '…' : '–'}${short(last)}`;
-}
-
 export function windowText([x, y, width, height]: Box): string {
   return `${point([x, y])} ${short(width)} × ${short(height)}`;
 }
@@ -133,7 +125,7 @@ export interface PluralForms {
   readonly other: string;
 }
 
-/** The values of a step that the sentences use. A pixel's history keeps only these. */
+/** The values of a step that a pixel's history keeps. */
 export interface Known {
   readonly warnock?: Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Warnock>;
   readonly zbuffer?: Pick<ZBufferValues, 'polygon'>;
@@ -147,70 +139,6 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
   if (form === 'one') return `${n} ${forms.one}`;
   return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
 }
-
-/** The parts of a header that the sentences use. */
-export type ShownHeader = Pick<Header, 'method' | 'scene' | 'detail' | 'edition'>;
-
-/** What the sentences of a step need besides its event. */
-export class Words {
-  constructor(
-    readonly before: Known,
-    readonly after: Known,
-    readonly header: ShownHeader,
-    readonly texts: Texts,
-    private readonly rules: Intl.PluralRules,
-  ) {}
-
-  get short(): Numbers['short'] {
-    return this.texts.numbers.short;
-  }
-
-  get shortApart(): Numbers['shortApart'] {
-    return this.texts.numbers.shortApart;
-  }
-
-  get signed(): Numbers['signed'] {
-    return this.texts.numbers.signed;
-  }
-
-  get point(): Numbers['point'] {
-    return this.texts.numbers.point;
-  }
-
-  get windowText(): Numbers['windowText'] {
-    return this.texts.numbers.windowText;
-  }
-
-  get columnsOf(): Phrases['columnsOf'] {
-    return this.texts.phrases.columnsOf;
-  }
-
-  readonly takes = (n: number): string => this.texts.phrases.takes(n, this);
-
-  counted(n: number, forms: PluralForms): string {
-    return counted(n, forms, this.rules);
-  }
-
-  places(corners: readonly Corner[]): string {
-    return corners.map((corner) => this.texts.places[corner]).join(', ');
-  }
-
-  ids(ids: readonly string[]): string {
-    const most = 6;
-    const shown = ids.slice(0, most).join(', ');
-    return ids.length > most ? `${shown} … (${ids.length})` : shown;
-  }
-
-  list(edges: readonly number[]): string {
-    return edges.join(', ');
-  }
-}
-
-/** "1", "1 and 0", "2, 1 and 0". */
-export const listed = (all: readonly (string | number)[], and: string): string =>
-  [all.slice(0, -1).join(', '), all.slice(-1).join('')].filter(Boolean).join(` ${and} `);
-
-export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);

@@ -1,4 +1,3 @@
-import { sentence } from '../algorithm/sentence.js';
 import type { Language } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 import type { Part, Question } from './question.js';
@@ -12,16 +11,11 @@ export interface Reason {
 
 /** The reasons for the answer to a question. */
 export function reasonsOf(
-  { header, timeline }: Trace,
+  { timeline }: Trace,
   { because }: Question,
   language: Language,
 ): readonly Reason[] {
-  return because.flatMap((step) => {
-    const event = timeline.event(step);
-    const before = timeline.seek(step - 1).values;
-    const after = timeline.seek(step).values;
-    return event ? [{ step, said: sentence(event, before, after, header, language) }] : [];
-  });
+  return because.map((step) => ({ step, said: timeline.sentence(step, language) }));
 }
 
 /** The step that decides the first wrong entry of an answer to a part. */

@@ -13,6 +13,7 @@ interface Exports extends Basics {
   trace_names(trace: number): number;
   trace_line(trace: number, step: number): void;
   trace_values(trace: number, step: number): void;
+  trace_sentence(trace: number, step: number, language: number): void;
   painted_at(trace: number): number;
   divided_at(trace: number): number;
   is_ground(trace: number): number;

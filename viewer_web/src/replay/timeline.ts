@@ -1,3 +1,5 @@
+import { languages } from '../language/language.js';
+import type { Language } from '../language/language.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { engine } from './engine.js';
@@ -58,6 +60,12 @@ export class Timeline {
   /** The text of a step's event as it was read. */
   line(step: number): string {
     engine().exports.trace_line(this.trace, step);
+    return engine().made();
+  }
+
+  /** One sentence that says what a step does. */
+  sentence(step: number, language: Language): string {
+    engine().exports.trace_sentence(this.trace, step, languages.indexOf(language));
     return engine().made();
   }
 

@@ -22,5 +22,4 @@ export const last = <T>(list: readonly T[]): T => {
   return item;
 };
 
-export const say = (entry: Entry, { trace }: History): string =>
-  sayEntry(entry, trace.header, 'en');
+export const say = (entry: Entry, { trace }: History): string => sayEntry(entry, trace, 'en');

@@ -3,9 +3,8 @@ import { texts } from '../i18n/index.js';
 import { point, toNumber } from '../language/words.js';
 import { stepsOf } from '../predict/ahead.js';
 import type { Given, Kind, Question } from '../predict/question.js';
-import type { Piece, Region } from '../weiler-atherton/events.js';
 import { holds } from '../weiler-atherton/geometry.js';
-import type { Point } from '../trace/values.js';
+import type { Piece, Point, Region } from '../trace/values.js';
 import { sorted } from './questions.js';
 import type { Agrees } from './questions.js';
 

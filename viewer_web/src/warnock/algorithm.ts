@@ -30,7 +30,6 @@ import { marks, thingMarks } from './marks.js';
 import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences } from './sentences.js';
 import { drawing, pointed } from './solid.js';
 import { caption } from './solid-caption.js';
 import { why } from './why.js';
@@ -67,7 +66,6 @@ const sums: Algorithm['sums'] = [
 ];
 
 defineAlgorithm(methods.filter(hasWindows), {
-  sentences,
   notes,
   begins: ['pop'],
   things,

@@ -1,7 +1,7 @@
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { toNumber } from '../language/words.js';
-import type { Known, Words } from '../language/words.js';
+import type { Known } from '../language/words.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
@@ -14,39 +14,6 @@ export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
   if ((px !== x && px !== x + width) || (py !== y && py !== y + height)) return null;
   if (px === x) return py === y ? 'lb' : 'lt';
   return py === y ? 'rb' : 'rt';
-}
-
-const sideNames = ['top', 'left', 'bottom', 'right'] as const;
-export type WindowSide = (typeof sideNames)[number];
-
-/** The side of a window on which a line lies; null if there is none. */
-export function sideAlong(
-  { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
-  window: Box | null,
-): WindowSide | null {
-  if (window === null) return null;
-  const [x, y, width, height] = window;
-  const ends = [from, to].map((end) => end.map(toNumber));
-  const along = (axis: 0 | 1, value: number): boolean => ends.every((end) => end[axis] === value);
-  const isAlong = {
-    top: along(1, y),
-    left: along(0, x),
-    bottom: along(1, y + height),
-    right: along(0, x + width),
-  };
-  return sideNames.find((side) => isAlong[side]) ?? null;
-}
-
-/** A corner of the current window in words; null for any other point. */
-export function placeOf(at: readonly N[], words: Words): string | null {
-  const corner = cornerAt(at, words.after.warnock?.window ?? null);
-  return corner && words.places([corner]);
-}
-
-/** The only polygon of the current list; null if the trace is too coarse to tell. */
-export function onlyOf({ warnock }: Known): string | null {
-  const [first, ...others] = warnock?.apl?.entries ?? [];
-  return first !== undefined && others.length === 0 ? first[0] : null;
 }
 
 /** The sum so far for the edges of an outline: crossings of a ray, or octants. */
@@ -86,6 +53,3 @@ export function ownersOf(
     background: isBackground,
   };
 }
-
-/** The lines that ask for the side of an edge, except those that ask it for the tested point itself. */
-export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;

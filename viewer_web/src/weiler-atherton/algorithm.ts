@@ -19,10 +19,8 @@ import { marks } from './marks.js';
 import { plane } from '../polygons/ask-plane.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences } from './sentences.js';
 
 defineAlgorithm(['weiler-atherton'], {
-  sentences,
   notes,
   begins: ['pop_list'],
   things: () => [],

@@ -5,7 +5,7 @@ import { mostOptions, optionsOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { becomes } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
-import type { Piece } from './events.js';
+import type { Piece } from '../trace/values.js';
 import { boundsOf } from './geometry.js';
 
 /** A part, described by its bounding box. */

@@ -4,7 +4,7 @@ import type { Step } from '../predict/ahead.js';
 import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import type { Part } from '../predict/question.js';
-import type { Piece } from './events.js';
+import type { Piece } from '../trace/values.js';
 import { ownersOf } from './pieces.js';
 
 /** More outlines than most parts have. */

@@ -2,7 +2,7 @@ import { polygonThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { depthOptions, mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import type { Piece } from './events.js';
+import type { Piece } from '../trace/values.js';
 import { ownersOf } from './pieces.js';
 
 /** With only two depths of two polygons the answer could be guessed. */

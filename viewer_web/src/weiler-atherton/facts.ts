@@ -2,7 +2,7 @@ import type { View } from '../algorithm/view.js';
 import { texts } from '../i18n/index.js';
 import { mostOptions } from '../predict/asker.js';
 import type { Fact } from '../predict/facts.js';
-import type { Piece } from './events.js';
+import type { Piece } from '../trace/values.js';
 import { ownersOf } from './pieces.js';
 import { emptyWeilerAtherton } from './state.js';
 import type { WeilerAtherton } from './state.js';

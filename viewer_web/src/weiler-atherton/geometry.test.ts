@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Region } from './events.js';
+import type { Region } from '../trace/values.js';
 import { areaOf, boundsOf, hatchData, holds, loopsOf, regionData } from './geometry.js';
 
 const outline = [

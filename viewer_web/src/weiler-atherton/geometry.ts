@@ -1,6 +1,6 @@
 import { isShown, spot } from '../picture/mark.js';
 import type { Spot } from '../picture/mark.js';
-import type { Region } from './events.js';
+import type { Region } from '../trace/values.js';
 
 /**
  * Geometry of regions for drawing and texts, in doubles, which are accurate enough for display. The decisions of the run

@@ -7,7 +7,7 @@ import type { Pixel } from '../picture/pixel.js';
 import type { Values, WeilerAtherton } from '../replay/values.js';
 import { only } from '../replay/wanted.js';
 import type { Event, EventName } from '../trace/events.js';
-import type { Piece, Region } from './events.js';
+import type { Piece, Region } from '../trace/values.js';
 import { holds } from './geometry.js';
 import { emptyWeilerAtherton } from './state.js';
 

@@ -1,7 +1,7 @@
 import { compared, half } from '../listing/notation.js';
 import type { Notes } from '../listing/notes.js';
 import type { WeilerAthertonEvents } from '../trace/events.js';
-import type { Region } from './events.js';
+import type { Region } from '../trace/values.js';
 import { verticesOf } from './geometry.js';
 
 const listed = (ids: readonly string[]): string => ids.join(' ') || '∅';

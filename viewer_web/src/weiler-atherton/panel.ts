@@ -11,11 +11,10 @@ import { polygonName, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { countedIn, texts } from '../i18n/index.js';
 import type { RegionTexts } from '../language/region-texts.js';
-import type { Piece } from './events.js';
-import { areaOf } from './geometry.js';
+import type { Piece, Region } from '../trace/values.js';
+import { areaOf, verticesOf } from './geometry.js';
 import { isPainting, listInHand } from './in-hand.js';
 import { regionsPanelStyle } from './panel.style.js';
-import { sized } from './sizes.js';
 import { emptyWeilerAtherton } from './state.js';
 import type { List, ListInHand, WeilerAtherton } from './state.js';
 
@@ -146,13 +145,20 @@ export class RegionsPanel extends LitElement {
     const thing = polygonThing(id);
     const pointed = thing === this.view.pointed;
     const said = ground ? say.ground : known;
-    const { language } = this.view;
-    const size = sized(region, say, (n, forms) => countedIn(language, n, forms));
+    const size = this.sized(region);
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
       ${isNarrow && said !== '' ? nothing : html`<td class="said">${size}</td>`}
       ${isNarrow && said === '' ? nothing : html`<td class="said">${said}</td>`}
     </tr>`;
+  }
+
+  /** "8 vertices, 2 loops". */
+  private sized(region: Region): string {
+    const { language } = this.view;
+    const { vertices, loops } = this.say;
+    const size = countedIn(language, verticesOf(region), vertices);
+    return region.length > 1 ? `${size}, ${countedIn(language, region.length, loops)}` : size;
   }
 
   private stack(): TemplateResult {

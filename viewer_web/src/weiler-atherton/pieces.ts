@@ -2,7 +2,7 @@ import { eventAt, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
-import type { Piece } from './events.js';
+import type { Piece } from '../trace/values.js';
 
 /** The polygons of these pieces, each once. */
 export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [

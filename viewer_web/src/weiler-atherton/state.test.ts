@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, keptOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import type { Region } from './events.js';
+import type { Region } from '../trace/values.js';
 
 const header = headerOf('weiler-atherton', 'polygons');
 

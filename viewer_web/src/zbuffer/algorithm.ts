@@ -19,7 +19,6 @@ import { ZBufferWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences } from './sentences.js';
 import { caption, drawing, pointed } from './solid.js';
 
 /** The edges of the current polygon, the active ones first. */
@@ -41,7 +40,6 @@ function landmark(event: Event, inHand: string): string | null {
 }
 
 defineAlgorithm(['zbuffer'], {
-  sentences,
   notes,
   begins: ['polygon'],
   things,

@@ -1,5 +1,5 @@
 import type { ExactTexts } from '../../language/exact-texts.js';
-import { decisionWords } from '../../trace/event-table.js';
+import { causeWords, decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 
 const answer = (value: Answer): string => {
@@ -15,10 +15,7 @@ const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.a
 export const exact: ExactTexts = {
   exactness: 'Exact?',
   decided: decisionWords.en,
-  causes: {
-    rounded: 'This operation rounded.',
-    drifted: 'Right for its operands, which had drifted before.',
-  },
+  causes: causeWords.en,
   answer,
   computed: 'Computed',
   exact: 'Exactly',

@@ -18,8 +18,7 @@ import { exact } from './exact.js';
 import { family } from './family.js';
 import { history } from './history.js';
 import { outline } from './outline.js';
-import { page, places, purposes } from './page.js';
-import * as phrases from './phrases.js';
+import { page, places } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
 import { reader } from './reader.js';
@@ -33,10 +32,8 @@ import { tour, verdict, words } from './words.js';
 
 export const texts: Texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
-  phrases,
   page,
   places,
-  purposes,
   reasons,
   history,
   travel,

@@ -201,22 +201,3 @@ export const places: Texts['places'] = {
   rb: 'top right',
   rt: 'bottom right',
 };
-
-export const purposes: Texts['purposes'] = {
-  ProcessWindow: 'which polygons matter in this window, and does one hide all others?',
-  PointColor: 'which polygon is nearest at the centre?',
-  SurroundTest: 'does the point lie in the polygon?',
-  PolygonClip: 'which part of the polygon lies in the window?',
-  FillPolygon: 'which pixels have their centre in the polygon?',
-  ShowLine: 'where on this row is the polygon the nearest?',
-  ...family.purposes,
-  SideEdge: 'what does the side of the surface hide?',
-  Visibility: 'where is the curve relative to the horizons over this column?',
-  Horizon: 'over which columns does the segment go beyond the horizons?',
-  Intersection: 'where does the segment meet the horizon?',
-  SplitPiercing: 'which polygons pierce each other, and along which line?',
-  DepthSort: 'which piece may be the nearest?',
-  RegionClip: 'which part of the piece lies inside the clip region, and which outside?',
-  RemoveBehind: 'which parts inside are nearer than the clip polygon?',
-  PaintRegions: 'which pixels have their centre in a visible region?',
-};

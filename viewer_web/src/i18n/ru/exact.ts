@@ -1,5 +1,5 @@
 import type { ExactTexts } from '../../language/exact-texts.js';
-import { decisionWords } from '../../trace/event-table.js';
+import { causeWords, decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 
 const answer = (value: Answer): string => {
@@ -23,10 +23,7 @@ const corners = {
 export const exact: ExactTexts = {
   exactness: 'Точно?',
   decided: decisionWords.ru,
-  causes: {
-    rounded: 'Погрешность округления в этой операции.',
-    drifted: 'Для своих операндов верно: погрешность накоплена раньше.',
-  },
+  causes: causeWords.ru,
   answer,
   computed: 'Вычислено',
   exact: 'Точно',

@@ -7,13 +7,6 @@ export const family: FamilyTexts = {
   names,
   methods: prefixed('Варнок: ', names),
   rules: methodRules('ru'),
-  purposes: {
-    Relation: 'как многоугольник расположен относительно окна?',
-    TrialFunction: 'пересекает ли окно хотя бы одно ребро многоугольника?',
-    RayCrossings: 'сколько раз луч из центра окна пересекает контур?',
-    OctantAngles: 'на какой угол контур поворачивает вокруг окна?',
-    HidingPolygon: 'лежит ли охватывающий многоугольник впереди всех?',
-  },
   panel: {
     level: 'уровень',
     third: 'Третий',

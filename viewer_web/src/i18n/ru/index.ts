@@ -8,8 +8,7 @@ import { family } from './family.js';
 import { history } from './history.js';
 import * as numbers from './numbers.js';
 import { outline } from './outline.js';
-import { page, places, purposes } from './page.js';
-import * as phrases from './phrases.js';
+import { page, places } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
 import { reader } from './reader.js';
@@ -23,10 +22,8 @@ import { tour, verdict, words } from './words.js';
 
 export const texts: Texts = {
   numbers,
-  phrases,
   page,
   places,
-  purposes,
   reasons,
   history,
   travel,

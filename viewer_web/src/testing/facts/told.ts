@@ -8,7 +8,7 @@ export function value(n: N): number {
   if (n.endsWith('inf')) return n.startsWith('-') ? -Infinity : Infinity;
   const [above = '', below = '1'] = n.split('/');
   if (!/^-?\d+$/.test(above) || below === '0') return NaN;
-  return Number((BigInt(above) * 10n ** 18n) / BigInt(below)) / 1e18;
+  return Number(`${(BigInt(above) * 10n ** 60n) / BigInt(below)}e-60`);
 }
 
 /** The order of two numbers of a trace, fractions exactly: -1, 0 or 1; NaN if there is none. */
@@ -69,6 +69,13 @@ function areThese(stated: readonly Shown[], right: readonly number[]): boolean {
   return others.length === rest.length && others.every((each, i) => isOf(each, rest[i] ?? NaN));
 }
 
+/** What is wrong with the form of a sentence; null if it is one sentence without the traces of a missing value. */
+export function faultOfForm(sentence: string): string | null {
+  if (!/^[\p{Lu}\d].*[.?]$/u.test(sentence)) return 'is not one sentence';
+  const hole = /undefined|null|NaN|\[object|[{}]|\s\s| \./u.exec(sentence);
+  return hole === null ? null : `has “${hole[0]}”`;
+}
+
 /** The error in a sentence that should state this, in words; null if there is none. */
 export function faultOf(
   sentence: string,
@@ -76,6 +83,8 @@ export function faultOf(
   all: readonly string[],
   language: Language,
 ): string | null {
+  const form = faultOfForm(sentence);
+  if (form !== null) return form;
   const found = all.filter((id) => sentence.includes(id));
   const expected = all.filter((id) => ids.includes(id));
   if (found.join() !== expected.join()) return `names ${found.join()}, not ${expected.join()}`;
