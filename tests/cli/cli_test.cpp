@@ -97,6 +97,30 @@ TEST_CASE("say: what happens at each step, or at some, in a language") {
     CHECK(partial.text.find("partial") != std::string::npos);
 }
 
+TEST_CASE("say --pixel: the steps that concern a pixel, and why it has its colour") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene), trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " --detail windows -o " + trace).status == 0);
+    const std::string shared =
+        "1: · The first window, (0, 0) 2 × 2, goes on the stack with 0.\n"
+        "2: · The window (0, 0) 2 × 2 comes off the stack.\n"
+        "3: · Only 0 is left in the window: background first, then 0.\n"
+        "4: ■ 2 pixels take the background.\n";
+    CHECK(program("say " + trace + " --pixel 0,0").text ==
+          shared +
+              "5: ■ 1 pixel takes the colour of 0 in 1 row.\n"
+              "Why it has this colour: 0 is alone in this window and covers the centre of the pixel.\n");
+    CHECK(
+        program("say " + trace + " --pixel 1,0").text ==
+        shared +
+            "5: ✗ 0 does not cover the centre of this pixel, which stays as it is.\n"
+            "Why it is background: as this run computes it, the only polygon in this window does not cover the centre "
+            "of the pixel.\n");
+    for (const std::string wrong : {"2,0", "0", "0,0,0", "a,b", "0,0 --step 1"}) {
+        CHECK_MESSAGE(program("say " + trace + " --pixel " + wrong).status == 2, wrong);
+    }
+}
+
 TEST_CASE("diff: the step at which two traces diverge") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);

@@ -6,6 +6,7 @@
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/trace_files.h"
+#include "say/pixel_history.h"
 #include "say/sentence.h"
 
 namespace vidno::cli {
@@ -17,7 +18,7 @@ using Step = std::uint64_t;
 struct SayOptions {
     std::string trace, language = "en";
     std::optional<Step> step;
-    std::optional<std::string> steps;
+    std::optional<std::string> steps, pixel;
 };
 
 struct Steps {
@@ -25,17 +26,26 @@ struct Steps {
     std::optional<Step> last{};  // none: to the end
 };
 
-/// `5..16`, both ends included.
-Steps steps_from(const std::string& text) {
+/// The two whole numbers of an option, with `between` between them.
+template <class Number>
+std::pair<Number, Number> two_numbers(const std::string& option, const std::string& text, std::string_view between) {
     const auto number = [&](std::string_view part) {
-        Step read = 0;
+        Number read = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), read);
-        if (error != std::errc() || end != part.data() + part.size()) throw Refused("--steps " + text + ": not A..B");
+        if (error != std::errc() || end != part.data() + part.size()) {
+            throw Refused(option + " " + text + ": not A" + std::string(between) + "B");
+        }
         return read;
     };
-    const std::size_t dots = std::min(text.find(".."), text.size());
-    const Steps steps{number(std::string_view(text).substr(0, dots)),
-                      number(std::string_view(text).substr(std::min(dots + 2, text.size())))};
+    const std::size_t at = std::min(text.find(between), text.size());
+    const std::string_view all = text;
+    return {number(all.substr(0, at)), number(all.substr(std::min(at + between.size(), all.size())))};
+}
+
+/// `5..16`, both ends included.
+Steps steps_from(const std::string& text) {
+    const auto [first, last] = two_numbers<Step>("--steps", text, "..");
+    const Steps steps{first, last};
     if (steps.first == 0 || steps.first > *steps.last)
         throw Refused("--steps " + text + ": this range contains no step");
     return steps;
@@ -73,9 +83,49 @@ int say_steps(const SayOptions& options, auto& reader) {
     return losses.told();
 }
 
+Area area_of(const State& state) { return state.header().scene.area; }
+Area area_of(const FloatingHorizonState& state) { return state.header().scene.curves->area; }
+
+/// Why the pixel has the colour that the event paints. A column of a run of curves has none.
+std::string why(const EventView& event, const State& after, Language language) {
+    return say::why(event, after, language);
+}
+std::string why(const EventView&, const FloatingHorizonState&, Language) { return {}; }
+
+/// The steps that concern a pixel, each with what it means for it, and why it has its colour.
+int say_history(const SayOptions& options, auto& reader) {
+    constexpr std::array<std::string_view, say::outcome_names.size()> signs{"✓", "✗", "■", "!", "·"};
+    const auto language = Language(place_in(language_codes, options.language));
+    const auto [x, y] = two_numbers<int>("--pixel", *options.pixel, ",");
+    auto state = state_before(reader);
+    if (!area_of(state).contains(x, y)) throw Refused("--pixel " + *options.pixel + ": not a pixel of the area");
+    say::PixelWatch watch({x, y});
+    std::string reason;
+    Progress progress("steps");
+    const auto take = [&](const EventView& event) {
+        state.apply(event);
+        progress.show(state.step());
+        const auto outcome = watch.see(event, state);
+        if (!outcome) return;
+        progress.clear();
+        std::cout << state.step() << ": " << signs[std::size_t(*outcome)] << ' '
+                  << say::sentence_for_pixel(event, *outcome, state, language) << '\n';
+        if (*outcome == say::Outcome::paint) reason = why(event, state, language);
+    };
+    while (take_next(reader, take)) {
+    }
+    progress.clear();
+    if (!reason.empty()) std::cout << reason << '\n';
+    Losses losses;
+    losses.add(reader);
+    return losses.told();
+}
+
 int say_run(const SayOptions& options) {
     AnyTraceReader opened = open_trace(LineReader(options.trace), options.trace);
-    return std::visit([&](auto& reader) { return say_steps(options, reader); }, opened);
+    return std::visit(
+        [&](auto& reader) { return options.pixel ? say_history(options, reader) : say_steps(options, reader); },
+        opened);
 }
 
 }  // namespace
@@ -85,12 +135,18 @@ void add_say(CLI::App& program, int& status) {
     const auto options = std::make_shared<SayOptions>();
     command.add_option("TRACE", options->trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
     auto* step = command.add_option("--step", options->step, "One step, as a number of events [all]");
-    command.add_option("--steps", options->steps, "The steps A..B, both included")->excludes(step);
+    auto* steps = command.add_option("--steps", options->steps, "The steps A..B, both included")->excludes(step);
+    command
+        .add_option("--pixel", options->pixel,
+                    "X,Y: the steps that concern this pixel, or, of curves, the column X; and why it has its colour")
+        ->excludes(step)
+        ->excludes(steps);
     command.add_option("--language", options->language, "The language")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.footer(
-        "The sentences are those of the page and of the captions of figures. Exit status 1: the trace was cut short, "
+        "The sentences are those of the page and of the captions of figures. A pixel passes a test (✓) or not (✗), is "
+        "painted (■), or meets a wrong decision (!). Exit status 1: the trace was cut short, "
         "is "
         "partial, or its run lost something.");
     command.callback([options, &status] { status = say_run(*options); });

@@ -18,6 +18,17 @@
 ///                            makes the sentence that says what a step does, in the language with this place in the table of languages
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last (values.h)
 ///
+/// The history of a pixel of a trace, or of a column of a run of curves, has a number, too. It reads the trace step by step.
+///
+///     history_open(t, x, y)  the number of a new history, which has read nothing yet
+///     history_close(h)       forgets it
+///     history_read(h, until) reads on to this step, and makes the steps that concern the pixel as a list of
+///                            {"step":N,"outcome":"pass"|"fail"|"paint"|"wrong"|"note","under":U}: a window, a polygon or a curve was current
+///     history_sentence(h, step, outcome, language)
+///                            makes the sentence of such a step, whose outcome is given by its place among these words
+///     history_why(h, step, is_later, language)
+///                            makes the reason why the pixel has the colour that this step painted, or why it will have it
+///
 /// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an empty one has.
 ///
 ///     painted_at(t)          the last step that changed the pixels or the depths
@@ -41,6 +52,7 @@
 #include <vector>
 
 #include "replay/replay.h"
+#include "say/pixel_history.h"
 #include "say/sentence.h"
 #include "wasm/exchange.h"
 
@@ -61,6 +73,57 @@ bool read_on(int number, void (*read)(Replay&, std::string& request)) {
     const bool is_read = attempt([&](Exchange& page) { read(replay(number), page.request); });
     if (!is_read) replays().erase(number);
     return is_read;
+}
+
+/// A pixel that is followed through a trace.
+struct Followed {
+    int trace;
+    say::PixelWatch watch;
+    AnyState state;
+};
+
+std::map<int, Followed>& histories() {
+    static std::map<int, Followed> all;
+    return all;
+}
+
+void append_heading(Text& out, const say::Heading& heading, const AnyHeader& header) {
+    if (const auto* window = std::get_if<Window>(&heading)) {
+        out += '[';
+        append_number(out, window->x);
+        for (const double each : {window->y, window->width, window->height}) {
+            out += ',';
+            append_number(out, each);
+        }
+        out += ']';
+    } else if (const auto* polygon = std::get_if<PolygonPlace>(&heading)) {
+        append_string(out, std::get<TraceHeader>(header).scene.polygons[std::size_t(polygon->index)].id);
+    } else if (const auto* curve = std::get_if<int>(&heading)) {
+        append_integer(out, *curve);
+    } else {
+        out += "null";
+    }
+}
+
+/// Lets a history read the next step.
+void read_step(Followed& history, Text& out, bool& is_first) {
+    Replay& of = replay(history.trace);
+    const EventView event = of.advance(history.state);
+    std::visit(
+        [&](const auto& after) {
+            const auto outcome = history.watch.see(event, after);
+            if (!outcome) return;
+            out += is_first ? "" : ",";
+            is_first = false;
+            out += std::string_view(R"({"step":)");
+            append_integer(out, after.step());
+            out += std::string_view(R"(,"outcome":")");
+            out += say::outcome_names[std::size_t(*outcome)];
+            out += std::string_view(R"(","under":)");
+            append_heading(out, say::heading(event, after), of.header());
+            out += '}';
+        },
+        history.state);
 }
 
 /// The screen of a run of polygons.
@@ -87,6 +150,17 @@ const Value* depth_at(int number, int x, int y) {
     const Screen* screen = screen_of(number);
     const bool has_one = screen != nullptr && screen->depths() && screen->area().contains(x, y);
     return has_one ? &screen->depths()->at(x, y) : nullptr;
+}
+
+struct SentenceForPixel {
+    EventView event;
+    say::Outcome outcome;
+    Language language;
+    std::string operator()(const auto& after) const { return say::sentence_for_pixel(event, outcome, after, language); }
+};
+
+std::uint64_t step_of(const AnyState& state) {
+    return std::visit([](const auto& of_kind) { return of_kind.step(); }, state);
 }
 
 struct Sentence {
@@ -156,6 +230,43 @@ extern "C" {
     vidno::attempt([&](vidno::Exchange& page) {
         const auto [event, after] = vidno::replay(trace).look_at(step);
         page.made += std::visit(vidno::Sentence{event, vidno::Language(language)}, after);
+    });
+}
+
+[[clang::export_name("history_open")]] int vidno_history_open(int trace, int x, int y) {
+    static int last = 0;
+    vidno::histories().emplace(++last,
+                               vidno::Followed{trace, vidno::say::PixelWatch({x, y}), vidno::replay(trace).start()});
+    return last;
+}
+
+[[clang::export_name("history_close")]] void vidno_history_close(int history) { vidno::histories().erase(history); }
+
+[[clang::export_name("history_read")]] void vidno_history_read(int history, std::size_t until) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        auto& followed = vidno::histories().at(history);
+        bool is_first = true;
+        page.made += '[';
+        while (vidno::step_of(followed.state) < until) vidno::read_step(followed, page.made, is_first);
+        page.made += ']';
+    });
+}
+
+[[clang::export_name("history_sentence")]] void vidno_history_sentence(int history, std::size_t step, int outcome,
+                                                                       int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const auto [event, after] = vidno::replay(vidno::histories().at(history).trace).look_at(step);
+        page.made +=
+            std::visit(vidno::SentenceForPixel{event, vidno::say::Outcome(outcome), vidno::Language(language)}, after);
+    });
+}
+
+[[clang::export_name("history_why")]] void vidno_history_why(int history, std::size_t step, bool is_later,
+                                                             int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const auto [event, after] = vidno::replay(vidno::histories().at(history).trace).look_at(step);
+        const auto* state = std::get_if<vidno::State>(&after);
+        if (state != nullptr) page.made += vidno::say::why(event, *state, vidno::Language(language), is_later);
     });
 }
 

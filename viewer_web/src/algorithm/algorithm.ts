@@ -1,19 +1,14 @@
 import type { Counter } from '../compare/counters.js';
 import type { Sum } from '../compare/survey.js';
 import type { Abouts } from '../exactness/mapped-decision.js';
-import type { Entry, Watch } from '../history/entry.js';
-import type { Reason } from '../history/why.js';
 import type { SolidTexts } from '../language/solid-texts.js';
-import type { HistoryTexts } from '../language/texts.js';
-import type { Known } from '../language/words.js';
 import type { Notes } from '../listing/notes.js';
 import type { Outlined } from '../outline/outlined.js';
 import type { Mark } from '../picture/mark.js';
-import type { Pixel } from '../picture/pixel.js';
 import type { Askers } from '../predict/asker.js';
 import type { Fact } from '../predict/facts.js';
 import type { Sight } from '../replay/screen.js';
-import type { Trace } from '../replay/trace.js';
+import type { Values } from '../replay/values.js';
 import type { Drawing } from '../solid/drawing.js';
 import type { Space } from '../solid/space.js';
 import type { Lanes } from '../strip/lanes.js';
@@ -21,7 +16,6 @@ import type { Book, Watched } from '../time/course.js';
 import type { OwnGoal } from '../time/goals.js';
 import type { Event, EventName, Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import type { Box } from '../trace/values.js';
 import type { Owners } from './owners.js';
 import type { Thing } from './pointed.js';
 import type { View } from './view.js';
@@ -59,16 +53,8 @@ export interface Algorithm {
   /** The goals of its runs, besides wrong decisions, the chosen pixel and bookmarks. */
   readonly goals: readonly OwnGoal[];
 
-  /** Follows a pixel or a column through a run. */
-  watch(pixel: Pixel, trace: Trace): Watch;
-  /** The item that was current at an entry of a pixel's history. */
-  heading(known: Known, event: Event): Heading | null;
   /** The owners of the colour that a step painted, by the values after it. Undefined for curves. */
-  owners?(event: Event, known: Known, header: Header): Owners;
-  /** The reason why the entry that painted the pixel gave it its colour. */
-  why?(entry: Entry, header: Header): Reason;
-  /** The text of an entry in place of its step's sentence; null for none. */
-  entry?(entry: Entry, texts: HistoryTexts): string | null;
+  owners?(event: Event, after: Values, header: Header): Owners;
 
   /** The questions in exact arithmetic that its decisions about points ask at the point and its neighbours. */
   readonly abouts: Abouts;
@@ -87,9 +73,6 @@ export interface Algorithm {
   readonly landmarks: readonly EventName[];
   landmark(event: Event, inHand: string): string | null;
 }
-
-/** A window, a polygon, or a curve. */
-export type Heading = Box | string | number;
 
 const algorithms = new Map<Method, Algorithm>();
 

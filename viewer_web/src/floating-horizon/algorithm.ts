@@ -4,7 +4,6 @@ import type { View } from '../algorithm/view.js';
 import type { Event } from '../trace/events.js';
 import { flags, horizons, meeting, sideEdge } from './ask.js';
 import { figureOf } from './figure.js';
-import { ColumnWatch } from './history.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 
@@ -42,9 +41,6 @@ defineAlgorithm(['floating-horizon'], {
     { name: 'curve', at: ['curve'] },
     { name: 'crossing', at: ['intersection'] },
   ],
-  watch: (pixel, { header, timeline }) =>
-    new ColumnWatch(pixel, header, (step) => timeline.valuesAt(step)),
-  heading: ({ floatingHorizon }) => floatingHorizon?.curve ?? null,
   abouts: {},
   askers: { flags, horizons, sideEdge, meeting },
   facts: () => [],

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { History } from '../history/history.js';
+import { traceOf } from '../replay/trace.js';
 import { readHistory } from '../testing/histories.js';
-import { textOf } from '../testing/traces.js';
+import { headerOf, textOf, textWith } from '../testing/traces.js';
 import type { Edition } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
-import { ColumnWatch } from './history.js';
 
 /** Curve and outcome of each flag over column 4. */
 const told = async (detail: string): Promise<readonly unknown[]> => {
@@ -11,7 +12,7 @@ const told = async (detail: string): Promise<readonly unknown[]> => {
   const { entries } = await readHistory(text, [4, 0]);
   return entries
     .filter(({ event }) => event.e === 'visibility')
-    .map(({ known, outcome }) => [known.floatingHorizon?.curve, outcome]);
+    .map(({ under, outcome }) => [under, outcome]);
 };
 
 describe('the history of a column', () => {
@@ -30,12 +31,17 @@ describe('the history of a column', () => {
   );
 
   it('calls a point below visible, except in the printed text, which may not draw it (X-H1)', () => {
-    const below = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 4, flag: -1 } as const;
-    const outcomeIn = (edition: Edition, event: Event): unknown =>
-      new ColumnWatch([4, 0], { detail: 'signs', edition }, () => ({ step: 1, calls: [] })).see(
-        event,
-        1,
-      );
+    const below: Event = { e: 'visibility', at: 'FH5', segment: [0, 4], x: 4, flag: -1 };
+    const outcomeIn = (edition: Edition, ...events: readonly Event[]): unknown => {
+      const bytes = textWith({ ...headerOf('floating-horizon'), edition }, [
+        { e: 'curve', at: 'FH2', curve: 0 },
+        { e: 'call', at: 'FH5', of: 'Visibility' },
+        ...events,
+      ]);
+      const history = new History(traceOf(new TextEncoder().encode(bytes)), [4, 0]);
+      history.read();
+      return history.entries.at(-1)?.outcome;
+    };
     expect(outcomeIn('corrected', below)).toBe('pass');
     expect(outcomeIn('printed', below)).toBe('note');
     expect(outcomeIn('printed', { ...below, flag: 1 })).toBe('pass');

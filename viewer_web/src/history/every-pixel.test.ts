@@ -5,7 +5,6 @@ import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import type { Trace } from '../replay/trace.js';
 import { viewOf } from '../algorithm/view.js';
 import { History } from './history.js';
-import { sayEntry } from './say.js';
 
 function pixelsOf({ header }: Trace): readonly Pixel[] {
   const { x, y, width, height } = header.scene.area;
@@ -26,7 +25,7 @@ describe.each(traceNames)('every pixel of %s', (name) => {
         if (missed) continue;
         for (const language of languages) {
           const { sentence } = viewOf(trace, entry.step, { language, pixel: null, pointed: null });
-          expect(sayEntry(entry, trace, language)).toBe(sentence);
+          expect(history.sentence(entry, language)).toBe(sentence);
         }
       }
     }

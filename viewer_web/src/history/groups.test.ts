@@ -4,7 +4,7 @@ import { grouped } from './groups.js';
 
 it('a painted pixel is listed under its own polygon, not under the clip polygon of the last list', async () => {
   const { entries } = await historyIn('wedge.weiler-atherton.signs', [10, 6]);
-  const painted = grouped(entries, 'weiler-atherton').flatMap(({ under, entries: own }) =>
+  const painted = grouped(entries).flatMap(({ under, entries: own }) =>
     own.flatMap(({ event }) =>
       event.e === 'paint' || event.e === 'order' ? [[under, event.polygon]] : [],
     ),

@@ -1,7 +1,4 @@
-import { algorithmOf } from '../algorithm/algorithm.js';
-import type { Heading } from '../algorithm/algorithm.js';
-import type { Method } from '../trace/events.js';
-import type { Entry } from './entry.js';
+import type { Entry, Heading } from './entry.js';
 
 /** Consecutive entries with the same heading. */
 export interface Group {
@@ -9,17 +6,20 @@ export interface Group {
   readonly entries: readonly Entry[];
 }
 
-export function grouped(entries: readonly Entry[], method: Method): readonly Group[] {
-  const algorithm = algorithmOf({ method });
+export function grouped(entries: readonly Entry[]): readonly Group[] {
   const groups: { under: Heading | null; entries: Entry[] }[] = [];
   for (const entry of entries) {
-    const under = algorithm.heading(entry.known, entry.event);
+    const { under } = entry;
     const last = groups.at(-1);
-    if (last?.under === under) last.entries.push(entry);
+    if (last !== undefined && isSame(last.under, under)) last.entries.push(entry);
     else groups.push({ under, entries: [entry] });
   }
   return groups;
 }
+
+/** Whether two headings name the same window, polygon or curve. */
+const isSame = (one: Heading | null, other: Heading | null): boolean =>
+  String(one) === String(other);
 
 const page = 40;
 

@@ -22,7 +22,6 @@ import { grouped, shownAround } from './groups.js';
 import type { Group } from './groups.js';
 import type { History } from './history.js';
 import { historyStyle } from './history.style.js';
-import { sayEntry, sayWhy } from './say.js';
 
 const signs = { pass: '✓', fail: '✗', wrong: '!', note: '·' } as const;
 
@@ -69,7 +68,7 @@ export class HistoryElement extends LitElement {
         @keydown=${this.onKey}
       >
         ${this.more(entries[first - 1], this.texts.earlier(first))}
-        ${grouped(entries.slice(first, end), this.view.header.method).map((group) => this.group(group, history))}
+        ${grouped(entries.slice(first, end)).map((group) => this.group(group, history))}
         ${this.more(entries[end], this.texts.later(entries.length - end))}
         ${history.complete ? nothing : html`<p class="hint">${this.texts.reading}</p>`}
       </div>
@@ -150,11 +149,7 @@ export class HistoryElement extends LitElement {
       >
         <span class="sign" aria-hidden="true" title=${said}>${this.sign(entry)}</span>
         <span class="said"
-          >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${sayEntry(
-            entry,
-            history.trace,
-            view.language,
-          )}</span
+          >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${history.sentence(entry, view.language)}</span
         >
         <span class="step number">${step}</span>
       </button>
@@ -163,14 +158,14 @@ export class HistoryElement extends LitElement {
   }
 
   private why(entry: Entry, history: History): TemplateResult {
-    return html`<p class="why">${sayWhy(entry, history, this.view.language, this.view.step)}</p>`;
+    return html`<p class="why">${history.why(entry, this.view.language, this.view.step)}</p>`;
   }
 
-  private sign({ outcome, event, known }: Entry): unknown {
+  private sign({ outcome, event, under }: Entry): unknown {
     if (outcome !== 'paint') return signs[outcome];
     if ('color' in event && event.color) return swatch(event.color);
     if (event.e === 'draw_line') return '━';
-    return swatch(this.view.header.scene.byId.get(known.zbuffer?.polygon ?? '')?.color ?? '');
+    return swatch(this.view.header.scene.byId.get(String(under))?.color ?? '');
   }
 
   private goTo(step: number): void {

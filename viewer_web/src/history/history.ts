@@ -1,18 +1,25 @@
-import { algorithmOf } from '../algorithm/algorithm.js';
+import type { Language } from '../language/language.js';
+import { languages } from '../language/language.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Trace } from '../replay/trace.js';
-import type { Entry, Watch } from './entry.js';
+import { engine } from '../replay/engine.js';
+import { outcomes } from './entry.js';
+import type { Entry } from './entry.js';
 
-const atOnce = 4096;
+const atOnce = 512;
+
+const forgotten = new FinalizationRegistry((history: number) =>
+  engine().exports.history_close(history),
+);
 
 /**
- * All steps that concern a pixel, or a column of a run of curves, in order. They are collected in one pass over the events,
- * which a page may spread over several frames. Nothing is stored for other pixels.
+ * All steps that concern a pixel, or a column of a run of curves, in order. The library collects them in one pass over the
+ * events, which a page may spread over several frames. Nothing is stored for other pixels.
  */
 export class History {
   private readonly found: Entry[] = [];
-  private readonly watch: Watch;
+  private readonly number: number;
   private seen = 0;
   private last: Entry | null = null;
 
@@ -20,7 +27,8 @@ export class History {
     readonly trace: Trace,
     readonly pixel: Pixel,
   ) {
-    this.watch = algorithmOf(trace.header).watch(pixel, trace);
+    this.number = engine().exports.history_open(trace.number, ...pixel);
+    forgotten.register(this, this.number);
   }
 
   get entries(): readonly Entry[] {
@@ -51,22 +59,30 @@ export class History {
 
   private readSome(): void {
     const { timeline } = this.trace;
-    const end = Math.min(this.seen + atOnce, timeline.length);
-    const { names } = timeline;
-    for (; this.seen < end; this.seen++) {
-      if (this.watch.wanted[names[this.seen] ?? 0] === true) this.see(this.seen + 1);
+    this.seen = Math.min(this.seen + atOnce, timeline.length);
+    engine().exports.history_read(this.number, this.seen);
+    for (const told of JSON.parse(engine().made()) as readonly Omit<Entry, 'event'>[]) {
+      const event = timeline.event(told.step);
+      if (event === null) continue;
+      const entry = { ...told, event };
+      this.found.push(entry);
+      if (told.outcome === 'paint') this.last = entry;
     }
   }
 
-  private see(step: number): void {
-    const { timeline } = this.trace;
-    if (this.watch.isElsewhere?.(timeline.line(step)) === true) return;
-    const event = timeline.event(step);
-    const outcome = event && this.watch.see(event, step);
-    if (event === null || outcome === null) return;
-    const entry = { step, event, outcome, known: this.watch.known };
-    this.found.push(entry);
-    if (outcome === 'paint') this.last = entry;
+  /** An entry in one sentence: that of its step, or for a polygon that missed the pixel only that fact. */
+  sentence({ step, outcome }: Entry, language: Language): string {
+    const { exports } = engine();
+    const place = languages.indexOf(language);
+    exports.history_sentence(this.number, step, outcomes.indexOf(outcome), place);
+    return engine().made();
+  }
+
+  /** Why the pixel has, or after step `now` will have, the colour of this entry, the last one to paint it. */
+  why({ step }: Entry, language: Language, now = step): string {
+    const isLater = step > now ? 1 : 0;
+    engine().exports.history_why(this.number, step, isLater, languages.indexOf(language));
+    return engine().made();
   }
 
   /** The index of the last entry at a step or before it, or -1. */

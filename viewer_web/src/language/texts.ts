@@ -1,5 +1,4 @@
 import type { Outcome } from '../history/entry.js';
-import type { Why } from '../history/why.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { PixelFacts } from '../picture/pixel-facts.js';
 import type { Ended } from '../replay/trace.js';
@@ -89,12 +88,6 @@ export interface HistoryTexts {
   readonly reading: string;
   readonly earlier: (n: number) => string;
   readonly later: (n: number) => string;
-  readonly missed: (polygon: string) => string;
-  readonly kept: (polygon: string) => string;
-  /** With the step that paints the pixel, if that is yet to come. */
-  readonly because: (step: string | null) => string;
-  readonly why: Readonly<Record<Why, (polygon: string) => string>>;
-  readonly whyBackground: (step: string | null) => string;
 }
 
 /** The texts about moves through a run that are longer than a step. */

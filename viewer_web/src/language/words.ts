@@ -1,5 +1,3 @@
-import type { FloatingHorizon, Warnock, WeilerAtherton } from '../replay/values.js';
-import type { ZBufferValues } from '../trace/event-table.js';
 import type { Box, N } from '../trace/values.js';
 
 const shortest = 7;
@@ -123,14 +121,6 @@ export interface PluralForms {
   readonly one: string;
   readonly few?: string;
   readonly other: string;
-}
-
-/** The values of a step that a pixel's history keeps. */
-export interface Known {
-  readonly warnock?: Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Warnock>;
-  readonly zbuffer?: Pick<ZBufferValues, 'polygon'>;
-  readonly weilerAtherton?: Pick<WeilerAtherton, 'inHand'>;
-  readonly floatingHorizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'height'>;
 }
 
 /** "3 pixels", "3 пикселя". */

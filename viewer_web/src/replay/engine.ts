@@ -14,6 +14,11 @@ interface Exports extends Basics {
   trace_line(trace: number, step: number): void;
   trace_values(trace: number, step: number): void;
   trace_sentence(trace: number, step: number, language: number): void;
+  history_open(trace: number, x: number, y: number): number;
+  history_close(history: number): void;
+  history_read(history: number, until: number): void;
+  history_sentence(history: number, step: number, outcome: number, language: number): void;
+  history_why(history: number, step: number, isLater: number, language: number): void;
   painted_at(trace: number): number;
   divided_at(trace: number): number;
   is_ground(trace: number): number;

@@ -98,7 +98,7 @@ export class Trace {
   read = 0;
 
   constructor(
-    private readonly number: number,
+    readonly number: number,
     readonly header: Header,
   ) {
     this.timeline = new Timeline(number, header);

@@ -1,5 +1,4 @@
 import { History } from '../history/history.js';
-import { sayEntry } from '../history/say.js';
 import type { Entry, Outcome } from '../history/entry.js';
 import type { Pixel } from '../picture/pixel.js';
 import { textOf, traceOf } from './traces.js';
@@ -22,4 +21,4 @@ export const last = <T>(list: readonly T[]): T => {
   return item;
 };
 
-export const say = (entry: Entry, { trace }: History): string => sayEntry(entry, trace, 'en');
+export const say = (entry: Entry, history: History): string => history.sentence(entry, 'en');

@@ -25,14 +25,12 @@ import { relation } from './ask-relation.js';
 import { window } from './ask-window.js';
 import { course, goals } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
-import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import { ownersOf } from './naming.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { drawing, pointed } from './solid.js';
 import { caption } from './solid-caption.js';
-import { why } from './why.js';
 
 /** The corners of the current window, and the windows on the stack from the top. */
 function things({ after: { warnock } }: View): readonly string[] {
@@ -77,15 +75,10 @@ defineAlgorithm(methods.filter(hasWindows), {
   course,
   outline,
   goals,
-  watch: (pixel, { header: { detail } }) => new WarnockWatch(pixel, detail),
-  heading: ({ warnock }) => warnock?.window ?? null,
   owners(event, known, header) {
     if (event.e === 'fill') return ownersOf(event, known, header);
     return event.e === 'draw' ? ownedBy(event.polygon) : nobody;
   },
-  why,
-  entry: ({ event, outcome }, { missed }) =>
-    outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,
   abouts,
   askers: {
     plane,

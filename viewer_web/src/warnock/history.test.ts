@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { sayWhy } from '../history/say.js';
 import { historyIn, last, say, steps } from '../testing/histories.js';
 
 describe('in Warnock’s algorithm', () => {
@@ -20,10 +19,10 @@ describe('in Warnock’s algorithm', () => {
       [90, 'decide'],
       [91, 'fill'],
     ]);
-    expect(sayWhy(last(history.entries), history, 'en')).toBe(
+    expect(history.why(last(history.entries), 'en')).toBe(
       'Why it has this colour: B surrounds this window and hides everything else in it.',
     );
-    expect(sayWhy(last(history.entries), history, 'en', 90)).toBe(
+    expect(history.why(last(history.entries), 'en', 90)).toBe(
       'Why it gets this colour at step 91: B surrounds this window and hides everything else in it.',
     );
   });
@@ -54,7 +53,7 @@ describe('in Warnock’s algorithm', () => {
       'A does not cover the centre of this pixel, which stays as it is.',
     );
     const { painter } = history;
-    expect(painter && sayWhy(painter, history, 'en')).toBe(
+    expect(painter && history.why(painter, 'en')).toBe(
       'Why it is background: as this run computes it, the only polygon in this window does not cover the centre of the pixel.',
     );
   });
@@ -67,7 +66,7 @@ describe('in Warnock’s algorithm', () => {
       [78, 'pass'],
       [79, 'paint'],
     ]);
-    expect(sayWhy(last(history.entries), history, 'en')).toBe(
+    expect(history.why(last(history.entries), 'en')).toBe(
       'Why it has this colour: A is alone in this window and covers the centre of the pixel.',
     );
   });
@@ -96,7 +95,7 @@ describe('in Warnock’s algorithm', () => {
       [115, 'note'],
       [116, 'paint'],
     ]);
-    expect(sayWhy(last(history.entries), history, 'en')).toBe(
+    expect(history.why(last(history.entries), 'en')).toBe(
       'Why it has this colour: A is the nearest of all that cover its centre.',
     );
   });

@@ -1,7 +1,7 @@
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import type { Owners } from '../algorithm/owners.js';
 import { toNumber } from '../language/words.js';
-import type { Known } from '../language/words.js';
+import type { Values } from '../replay/values.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
@@ -17,7 +17,7 @@ export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
 }
 
 /** The sum so far for the edges of an outline: crossings of a ray, or octants. */
-export function containment(warnock: Known['warnock']): number {
+export function containment(warnock: Values['warnock']): number {
   return (warnock?.contained ?? []).reduce(
     (sum, edge) => sum + (edge.e === 'ray' ? edge.counts : edge.difference),
     0,
@@ -25,8 +25,8 @@ export function containment(warnock: Known['warnock']): number {
 }
 
 /** The polygon that hides all others in the window: the one that was found, or the only one that surrounds it. */
-export function hidingOf({ warnock }: Known): string | null {
-  return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
+function hidingOf({ warnock }: Pick<Values, 'warnock'>): string | null {
+  return warnock?.covering ?? warnock?.joined.surrounding.at(-1)?.polygon ?? null;
 }
 
 const background: Owners = { polygons: [], background: true };
@@ -38,7 +38,7 @@ const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11
 
 export function ownersOf(
   { e, at, color }: Event<'fill' | 'color'>,
-  known: Known,
+  known: Pick<Values, 'warnock'>,
   { scene, detail }: Pick<Header, 'scene' | 'detail'>,
 ): Owners {
   if (e === 'fill' && fillsGround.includes(at)) return background;

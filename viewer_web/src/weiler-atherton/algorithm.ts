@@ -14,7 +14,6 @@ import { walk } from './ask-walk.js';
 import { course } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
 import { figureOf } from './figure.js';
-import { RegionWatch } from './history.js';
 import { marks } from './marks.js';
 import { plane } from '../polygons/ask-plane.js';
 import { notes } from './notes.js';
@@ -37,17 +36,7 @@ defineAlgorithm(['weiler-atherton'], {
     { name: 'list', at: ['pop_list'] },
     { name: 'region', at: ['show'] },
   ],
-  watch: (pixel, { timeline }) => new RegionWatch(pixel, (step) => timeline.valuesAt(step)),
-  heading({ weilerAtherton }, event) {
-    // Once regions are painted no list is current.
-    if (event.e === 'paint' || event.e === 'order') return event.polygon;
-    return weilerAtherton?.inHand?.pieces[0]?.[0] ?? null;
-  },
   owners: (event) => (event.e === 'paint' ? ownedBy(event.polygon) : nobody),
-  why: ({ event }) =>
-    event.e === 'paint'
-      ? { why: 'region', polygon: event.polygon }
-      : { why: 'untouched', polygon: null },
   abouts: {},
   askers: { plane, piercing, sort, parted, entering, walk, behind, stack, painted },
   facts,

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
-import { sayWhy } from '../history/say.js';
 import type { Pixel } from '../picture/pixel.js';
 import { textOf, traceOf } from '../testing/traces.js';
 
@@ -36,7 +35,7 @@ describe('the history of a pixel among regions', () => {
   it('explains the colour of the pixel', async () => {
     const history = await historyAt([5, 5]);
     const { painter } = history;
-    expect(painter && sayWhy(painter, history, 'en')).toBe(
+    expect(painter && history.why(painter, 'en')).toBe(
       'Why it has this colour: its centre lies in a visible region, where B is the nearest.',
     );
   });

@@ -2,20 +2,15 @@ import { defineAlgorithm } from '../algorithm/algorithm.js';
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import { edgeThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
-import type { Entry } from '../history/entry.js';
-import type { Reason } from '../history/why.js';
 import { cells } from '../language/words.js';
 import { figureOf } from '../picture/figure.js';
-import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
-import type { Header } from '../trace/header.js';
 import { abouts } from './about.js';
 import { plane } from '../polygons/ask-plane.js';
 import { ael } from './ask-ael.js';
 import { pixels } from './ask-pixels.js';
 import { changesAel, course, goals } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
-import { ZBufferWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
@@ -25,12 +20,6 @@ import { caption, drawing, pointed } from './solid.js';
 function things({ after: { zbuffer } }: View): readonly string[] {
   if (zbuffer === undefined) return [];
   return [...zbuffer.ael.map(({ edge }) => edge), ...zbuffer.edges].map(edgeThing);
-}
-
-function why({ event, known }: Entry, { edition }: Header): Reason {
-  if (event.e !== 'span') return { why: 'untouched', polygon: null };
-  const polygon = known.zbuffer?.polygon ?? null;
-  return { why: hasDefect(edition, 'x-z7') ? 'notFarther' : 'nearest', polygon };
 }
 
 /** A polygon is begun once, and has each row once. */
@@ -51,12 +40,7 @@ defineAlgorithm(['zbuffer'], {
   course,
   outline,
   goals,
-  watch: (pixel) => new ZBufferWatch(pixel),
-  heading: ({ zbuffer }) => zbuffer?.polygon ?? null,
   owners: (_event, { zbuffer }) => (zbuffer?.polygon == null ? nobody : ownedBy(zbuffer.polygon)),
-  why,
-  entry: ({ event, known, outcome }, { kept }) =>
-    outcome === 'fail' && event.e === 'span' ? kept(known.zbuffer?.polygon ?? '') : null,
   abouts,
   askers: { plane, ael, pixels },
   facts,

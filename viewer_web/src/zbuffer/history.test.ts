@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { sayWhy } from '../history/say.js';
 import { historyIn, last, readHistory, say, steps } from '../testing/histories.js';
 import { headerOf, textWith } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
@@ -18,7 +17,7 @@ describe('in the Z-buffer', () => {
       [92, 'pass'],
       [94, 'paint'],
     ]);
-    expect(history.entries.map(({ known }) => known.zbuffer?.polygon ?? '')).toEqual([
+    expect(history.entries.map(({ under }) => under ?? '')).toEqual([
       '',
       'A',
       'A',
@@ -29,7 +28,7 @@ describe('in the Z-buffer', () => {
       'B',
       'B',
     ]);
-    expect(sayWhy(last(history.entries), history, 'en')).toBe(
+    expect(history.why(last(history.entries), 'en')).toBe(
       'Why it has this colour: B is nearer here than everything drawn before, and nothing drawn later replaced it.',
     );
   });

@@ -22,25 +22,4 @@ export const history: HistoryTexts = {
   reading: 'Going through the trace…',
   earlier: (n) => `${n} earlier`,
   later: (n) => `${n} later`,
-  missed: (polygon) => `${polygon} does not cover the centre of this pixel, which stays as it is.`,
-  kept: (polygon) => `On this row ${polygon} leaves the pixel as it is.`,
-  because: (step) =>
-    step === null ? 'Why it has this colour:' : `Why it gets this colour at step ${step}:`,
-  why: {
-    hides: (polygon) => `${polygon} surrounds this window and hides everything else in it.`,
-    centre: (polygon) => `${polygon} is the nearest of all that cover its centre.`,
-    alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
-    nearest: (polygon) =>
-      `${polygon} is nearer here than everything drawn before, and nothing drawn later replaced it.`,
-    notFarther: (polygon) =>
-      `${polygon} is here at least as near as everything drawn before, and nothing drawn later replaced it.`,
-    empty: () => 'no polygon is left in this window.',
-    nothing: () => 'no polygon covers its centre.',
-    beside: () =>
-      'as this run computes it, the only polygon in this window does not cover the centre of the pixel.',
-    region: (polygon) => `its centre lies in a visible region, where ${polygon} is the nearest.`,
-    untouched: () => 'no polygon was drawn at this pixel.',
-  },
-  whyBackground: (step) =>
-    step === null ? 'Why it is background:' : `Why it becomes background at step ${step}:`,
 };
