@@ -62,7 +62,7 @@ private:
 /// A scene of curves, or the series of scenes of polygons that a trial runs.
 using TrialScenes = std::variant<AdmittedCurves, std::vector<AdmittedScene>>;
 
-/// The scenes of a trial. Of families of curves, only experiments that move coordinates have any.
+/// The scenes of a trial. Throws Refused for a family of curves and an experiment that does not move coordinates.
 TrialScenes scenes_of(std::uint64_t seed, const Family& family, const Experiment& experiment, std::uint64_t trial);
 
 /// A tally for each kernel and, within it, each method of the campaign.

@@ -59,7 +59,7 @@ off_t size_of_lines(int file, const std::string& name) {
     return 0;
 }
 
-/// A file of another kind is told by what its first bytes say.
+/// The first bytes of a file, as many as say what kind it is.
 constexpr std::size_t most_of_a_format = 4096;
 
 }  // namespace
