@@ -256,15 +256,16 @@ TEST_CASE("A killed run is continued: its partial block runs again") {
 TEST_CASE("A campaign that is extended has the bytes of one that had as many trials from the start") {
     const Workplace work;
     // Rounds have 128 trials that move coordinates: the last is whole, or grows, and `swept` has a trial in every other one.
-    for (const auto& [before, after] : {std::pair(128, 300), std::pair(2, 3), std::pair(130, 257)}) {
+    for (const auto& counts : {std::pair(128, 300), std::pair(2, 3), std::pair(130, 257)}) {
+        const auto before = std::uint64_t(counts.first), after = std::uint64_t(counts.second);
         CAPTURE(after);
-        Campaign campaign{"1.0.0", 7, std::uint64_t(before), {"horizon-ties"}, {"double"}, {"floating-horizon"}};
+        Campaign campaign{"1.0.0", 7, before, {"horizon-ties"}, {"double"}, {"floating-horizon"}};
         const std::string file = work.write("extended", text_of_all(campaign));
-        extend(file, std::uint64_t(after));
+        extend(file, after);
         continue_run(file);
-        campaign.count = std::uint64_t(after);
+        campaign.count = after;
         CHECK(work.read("extended") == text_of_all(campaign));
-        CHECK_THROWS_AS(extend(file, std::uint64_t(after)), Refused);
+        CHECK_THROWS_AS(extend(file, after), Refused);
     }
 }
 
@@ -399,9 +400,9 @@ TEST_CASE("Journal: a file system without locks is refused for what it is") {
     if (child == 0) {
         // From here on, the system answers each request for a lock as a file system without locks does.
         std::array<sock_filter, 4> rules{{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-                                         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
-                                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOLCK),
-                                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+                                          BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+                                          BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOLCK),
+                                          BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
         const sock_fprog all{rules.size(), rules.data()};
         if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all) != 0)
             _exit(3);
