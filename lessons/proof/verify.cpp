@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 using namespace std;
 using Json = nlohmann::json;
@@ -63,12 +64,12 @@ int main(int, char** file) try {
         }
         around.push_back({r, left_out});
         const bool is_whole = line.contains("owner");
-        const int owner = is_whole && !line["owner"].is_null() ? int(line["owner"]) : -1;
-        if (owner >= 0) holding.insert(owner);
+        optional<int> owner;  // none: the background
+        if (is_whole && !line["owner"].is_null()) holding.insert(*(owner = int(line["owner"])));
         for (int p : holding) for (auto& edge : polygons.at(p).edges) for (auto& at : corners)
             expect(value(edge, at) >= 0 && !polygons[p].depth.empty(), p, " does not hold the rectangle");
         for (int p = 0; is_whole && p < int(polygons.size()); ++p) expect(p == owner || left_out.count(p), p, " has no reason");
-        const string color = owner < 0 ? scene["background"] : scene["polygons"][owner]["color"];
+        const string color = !owner ? scene["background"] : scene["polygons"][*owner]["color"];
         for (int k = 0; is_whole && k < r[2] * r[3]; ++k) {
             const int pixel = (r[1] - top + k / r[2]) * columns + r[0] - left + k % r[2];
             const auto* rgb = (const unsigned char*)ppm.data() + header.size() + 3 * pixel;

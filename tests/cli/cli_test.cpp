@@ -613,7 +613,7 @@ TEST_CASE("prove: a right picture has a proof, and a wrong one the reason at eac
     CHECK(program(prove + work.write("text.png", "no picture")).status == 2);
 }
 
-TEST_CASE("prove --scene writes what the checkers read; without it a scene that they do not read is said") {
+TEST_CASE("prove --scene writes what the checkers read, and without it a scene that they do not read is said") {
     const Workplace work;
     const std::string scene = work.write("scene.json", R"({"polygons":[{"vertices":[[0,0,0],[2,0,0],[0,2,0]]}]})");
     const std::string prove = "prove " + scene + " -o " + work.file("proof.jsonl");
