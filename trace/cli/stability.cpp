@@ -138,7 +138,7 @@ void print_skipped(const Results& results) {
     Tallies all(campaign.kernels.size() * campaign.methods.size());
     for (const auto& family : campaign.families) {
         for (const auto& experiment : experiments) {
-            const Tallies sum = results.sum(family, experiment);
+            const Tallies& sum = results.sum(family, experiment);
             for (std::size_t i = 0; i < all.size(); ++i) all[i] += sum[i];
         }
     }

@@ -14,7 +14,7 @@
 namespace vidno {
 
 /// The edge separates all pixel centres of a rectangle strictly from its polygon.
-struct Beside {
+struct BesideEdge {
     int polygon, edge;
 };
 
@@ -28,7 +28,7 @@ struct Behind {
 struct ProvedRectangle {
     PixelRectangle pixels;
     std::vector<int> edge_on;
-    std::vector<Beside> beside;
+    std::vector<BesideEdge> beside;
     std::vector<Behind> behind;
     bool is_whole = false;       // no other rectangle lies in it
     std::optional<int> owner{};  // if it is whole: the polygon that shows; none for the background

@@ -16,7 +16,7 @@ void append_pair(Text& out, int first, int second) {
     append_integer(out, second);
     out += ']';
 }
-void append_reason(Text& out, const Beside& reason) { append_pair(out, reason.polygon, reason.edge); }
+void append_reason(Text& out, const BesideEdge& reason) { append_pair(out, reason.polygon, reason.edge); }
 void append_reason(Text& out, const Behind& reason) { append_pair(out, reason.polygon, reason.front); }
 
 /// A member that is a list, unless it is empty.
