@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view heading =
     "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told\n";
-constexpr std::string_view right = "right", wrong = "wrong", not_judged = "not judged";
+constexpr std::string_view said_right = "right", said_wrong = "wrong", not_judged = "not judged";
 
 std::string name_of(Deviation deviation) {
     const DeviationChoice& choice = choice_of(deviation);
@@ -42,7 +42,7 @@ std::string text_of(const Json& json, int indent = -1) {
 std::string as_csv(const std::string& program, const ProgramGrade& grade, const Words& say) {
     const SceneGrade* first = grade.first_wrong();
     const Wrong* claim = first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
-    return line_of({program, std::string(grade.right() ? right : wrong), std::to_string(grade.scenes.size()),
+    return line_of({program, std::string(grade.right() ? said_right : said_wrong), std::to_string(grade.scenes.size()),
                     std::to_string(grade.wrong()), first ? name_of(first->scene) : "",
                     claim ? std::to_string(claim->step) : "", claim ? claim->at : "", claim ? claim->told : "",
                     claim ? claim->right : "", grade.deviation ? name_of(*grade.deviation) : "",
@@ -50,7 +50,7 @@ std::string as_csv(const std::string& program, const ProgramGrade& grade, const 
 }
 
 std::string as_json(const std::string& program, const ProgramGrade& grade, const Words& say) {
-    Json entry{{"program", program}, {"verdict", grade.right() ? right : wrong}};
+    Json entry{{"program", program}, {"verdict", grade.right() ? said_right : said_wrong}};
     entry["scenes"] = grade.scenes.size();
     entry["wrong"] = grade.wrong();
     if (const SceneGrade* first = grade.first_wrong()) {
@@ -122,13 +122,13 @@ std::vector<TableLine> lines_of(const std::string& text, TableFormat format, con
             std::string line = text.substr(at, end - at);
             auto cells = cells_in(line, 2);
             if (cells.size() < 2) throw Refused(file + ": is no table of vidno grade");
-            lines.push_back({std::move(cells[0]), std::move(line), cells[1] == right});
+            lines.push_back({std::move(cells[0]), std::move(line), cells[1] == said_right});
         }
         return lines;
     }
     try {
         for (const Json& entry : Json::parse(text)) {
-            lines.push_back({entry.at("program"), text_of(entry), entry.at("verdict") == right});
+            lines.push_back({entry.at("program"), text_of(entry), entry.at("verdict") == said_right});
         }
     } catch (const Json::exception&) {
         throw Refused(file + ": is no table of vidno grade");

@@ -15,12 +15,12 @@ struct InRationals {
     using Vertices = std::vector<Vertex<Rational>>;
 };
 
-struct ExactPolygon {
+struct PolygonAtPixel {
     InRationals::Vertices vertices;
     Plane<Rational> plane;  // c is 0 for an edge-on polygon, and has the sign of the inside
     Box<double> box;
 
-    explicit ExactPolygon(const ScenePolygon& given)
+    explicit PolygonAtPixel(const ScenePolygon& given)
         : plane{}, box{given.vertices[0].x, given.vertices[0].y, given.vertices[0].x, given.vertices[0].y} {
         for (const auto& v : given.vertices) {
             vertices.push_back({v.x, v.y, v.z});
@@ -57,7 +57,7 @@ struct Passing {
 };
 
 /// None for an edge without length.
-std::optional<Passing> passing(const ExactPolygon& polygon, std::size_t edge, const Point<Rational>& at) {
+std::optional<Passing> passing(const PolygonAtPixel& polygon, std::size_t edge, const Point<Rational>& at) {
     const auto &p = polygon.vertices[edge], &q = polygon.vertices[(edge + 1) % polygon.vertices.size()];
     const Rational dx = q.x - p.x, dy = q.y - p.y;
     if (dx == 0 && dy == 0) return std::nullopt;
@@ -73,7 +73,7 @@ PassingEdge told(const Passing& passing) {
 }  // namespace
 
 struct Reasons::Polygons {
-    std::vector<ExactPolygon> all;
+    std::vector<PolygonAtPixel> all;
 
     static Point<Rational> centre(int x, int y) { return {Rational(x + 0.5), Rational(y + 0.5)}; }
 
@@ -83,7 +83,7 @@ struct Reasons::Polygons {
         std::optional<int> nearest;
         Rational depth;
         for (int i = 0; i < int(all.size()); ++i) {
-            const ExactPolygon& polygon = all[std::size_t(i)];
+            const PolygonAtPixel& polygon = all[std::size_t(i)];
             const auto& box = polygon.box;
             if (i == without || box.xmin > x + 0.5 || box.xmax < x + 0.5 || box.ymin > y + 0.5 || box.ymax < y + 0.5 ||
                 !polygon.holds(at)) {
@@ -108,8 +108,8 @@ Reasons::~Reasons() = default;
 std::optional<int> Reasons::owner(int x, int y) const { return polygons_->owner(x, y, std::nullopt); }
 
 AtPixel Reasons::at(int x, int y, int polygon) const {
-    const auto exact = [&](int place) -> const ExactPolygon& { return polygons_->all[std::size_t(place)]; };
-    const ExactPolygon& own = exact(polygon);
+    const auto exact = [&](int place) -> const PolygonAtPixel& { return polygons_->all[std::size_t(place)]; };
+    const PolygonAtPixel& own = exact(polygon);
     AtPixel found{.polygon = polygon};
     if (own.is_edge_on()) {
         found.standing = Standing::edge_on;

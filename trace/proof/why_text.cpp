@@ -25,8 +25,7 @@ constexpr InEachLanguage<Directions> passes_at{{"to the left", "to the right", "
 constexpr InEachLanguage<Directions> moves_to{{"left", "right", "up", "down"}, {"влево", "вправо", "вверх", "вниз"}};
 
 std::string distance(const PassingEdge& edge, Language language) {
-    const std::string px = as_written(edge.away) + InEachLanguage<std::string>{" px", " пикс."}.in(language);
-    return px;
+    return as_written(edge.away) + InEachLanguage<std::string>{" px", " пикс."}.in(language);
 }
 
 /// "by 3/16", or "by more than 3/16" where equal depths would not do, or "at all".

@@ -220,7 +220,7 @@ std::string in_full(const Value& value, Language language) {
 }
 
 std::pair<std::string, std::string> apart(const Value& one, const Value& other, Language language) {
-    const std::pair looks(short_number(one, language), short_number(other, language));
+    std::pair looks(short_number(one, language), short_number(other, language));
     if (looks.first != looks.second || one == other) return looks;
     return {in_full(one, language), in_full(other, language)};
 }

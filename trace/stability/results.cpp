@@ -89,7 +89,7 @@ public:
         if (is_sorted) return;
         auto& all = whole_.emplace();
         for (std::string line; read(line);) all.push_back({number_of(line), line_, line});
-        std::sort(all.begin(), all.end(), std::greater{});
+        std::stable_sort(all.begin(), all.end(), [](const Line& a, const Line& b) { return a.number > b.number; });
     }
 
     /// Goes to the next line; false at the end.
@@ -111,7 +111,6 @@ private:
     struct Line {
         std::uint64_t number, line;
         std::string text;
-        auto operator<=>(const Line&) const = default;
     };
 
     void begin(const Campaign& campaign) {
