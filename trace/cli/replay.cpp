@@ -7,8 +7,6 @@
 #include "format/trace_reader.h"
 #include "output.h"
 #include "picture/image.h"
-#include "replay/floating_horizon_state.h"
-#include "replay/state.h"
 
 namespace vidno::cli {
 
@@ -18,11 +16,6 @@ struct ReplayOptions {
     std::string trace, output;
     std::optional<std::uint64_t> step;
 };
-
-State state_of(const TraceReader& reader) { return State(reader.header()); }
-FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
-    return FloatingHorizonState(reader.header());
-}
 
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
 std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.values().lines); }

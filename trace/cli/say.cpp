@@ -1,9 +1,9 @@
-#include <charconv>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
+#include "cli/shared/read_numbers.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/trace_files.h"
 #include "say/pixel_history.h"
@@ -26,29 +26,14 @@ struct StepsSaid {
     std::optional<Step> last{};  // none: to the end
 };
 
-/// The two whole numbers of an option, with `between` between them.
-template <class Number>
-std::pair<Number, Number> two_numbers(const std::string& option, const std::string& text, std::string_view between) {
-    const auto number = [&](std::string_view part) {
-        Number read = 0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), read);
-        if (error != std::errc() || end != part.data() + part.size()) {
-            throw Refused(option + " " + text + ": not A" + std::string(between) + "B");
-        }
-        return read;
-    };
-    const std::size_t at = std::min(text.find(between), text.size());
-    const std::string_view all = text;
-    return {number(all.substr(0, at)), number(all.substr(std::min(at + between.size(), all.size())))};
-}
-
 /// `5..16`, both ends included.
 StepsSaid steps_from(const std::string& text) {
-    const auto [first, last] = two_numbers<Step>("--steps", text, "..");
-    const StepsSaid steps{first, last};
-    if (steps.first == 0 || steps.first > *steps.last)
-        throw Refused("--steps " + text + ": this range contains no step");
-    return steps;
+    const std::string option = "--steps " + text;
+    const auto dots = text.find("..");
+    if (dots == text.npos) throw Refused(option + ": not A..B");
+    const Step first = whole_number(text.substr(0, dots), option), last = whole_number(text.substr(dots + 2), option);
+    if (first == 0 || first > last) throw Refused(option + ": this range contains no step");
+    return {first, last};
 }
 
 StepsSaid chosen_steps(const SayOptions& options) {
@@ -57,15 +42,10 @@ StepsSaid chosen_steps(const SayOptions& options) {
     return options.steps ? steps_from(*options.steps) : StepsSaid{};
 }
 
-State state_before(const TraceReader& reader) { return State(reader.header()); }
-FloatingHorizonState state_before(const FloatingHorizonTraceReader& reader) {
-    return FloatingHorizonState(reader.header());
-}
-
 int say_steps(const SayOptions& options, auto& reader) {
     const auto language = Language(place_in(language_codes, options.language));
     const auto [first, last] = chosen_steps(options);
-    auto state = state_before(reader);
+    auto state = state_of(reader);
     Progress progress("steps");
     const auto take = [&, first = first](const EventView& event) {
         state.apply(event);
@@ -96,10 +76,8 @@ std::string why(const EventView&, const FloatingHorizonState&, Language) { retur
 int say_history(const SayOptions& options, auto& reader) {
     constexpr std::array<std::string_view, say::outcome_names.size()> signs{"✓", "✗", "■", "!", "·"};
     const auto language = Language(place_in(language_codes, options.language));
-    const auto [x, y] = two_numbers<int>("--pixel", *options.pixel, ",");
-    auto state = state_before(reader);
-    if (!area_of(state).contains(x, y)) throw Refused("--pixel " + *options.pixel + ": not a pixel of the area");
-    say::PixelWatch watch({x, y});
+    auto state = state_of(reader);
+    say::PixelWatch watch(pixel_in(*options.pixel, area_of(state)));
     std::string reason;
     Progress progress("steps");
     const auto take = [&](const EventView& event) {
@@ -146,9 +124,8 @@ void add_say(CLI::App& program, int& status) {
         ->capture_default_str();
     command.footer(
         "The sentences are those of the page and of the captions of figures. A pixel passes a test (✓) or not (✗), is "
-        "painted (■), or meets a wrong decision (!). Exit status 1: the trace was cut short, "
-        "is "
-        "partial, or its run lost something.");
+        "painted (■), or meets a wrong decision (!). Exit status 1: the trace was cut short, is partial, or its run "
+        "lost something.");
     command.callback([options, &status] { status = say_run(*options); });
 }
 

@@ -1,12 +1,12 @@
 #include "proof/why.h"
 
-#include <charconv>
 #include <iostream>
 
 #include "check/check.h"
 #include "choice/method.h"
 #include "cli/commands.h"
 #include "cli/shared/polygon_scene.h"
+#include "cli/shared/read_numbers.h"
 #include "cli/shared/run_options.h"
 #include "json/json_text.h"
 #include "refused.h"
@@ -19,24 +19,6 @@ struct WhyOptions : RunOptions {
     std::string pixel, language = "en";
     bool json = false;
 };
-
-std::string hex_of(const Color& color) {
-    Text text;
-    append_hex(text, color);
-    return text.string();
-}
-
-Pixel pixel_in(const Area& area, const std::string& text) {
-    Pixel pixel{};
-    const char* const end = text.data() + text.size();
-    const auto [comma, x_error] = std::from_chars(text.data(), end, pixel.x);
-    if (x_error == std::errc{} && comma != end && *comma == ',') {
-        const auto [rest, y_error] = std::from_chars(comma + 1, end, pixel.y);
-        if (y_error == std::errc{} && rest == end && area.contains(pixel.x, pixel.y)) return pixel;
-    }
-    throw Refused("--pixel " + text + ": not a pixel of the window, such as " + std::to_string(area.x) + "," +
-                  std::to_string(area.y));
-}
 
 bool contains(const PixelRectangle& pixels, Pixel at) {
     return pixels.x <= at.x && at.x < pixels.x + pixels.width && pixels.y <= at.y && at.y < pixels.y + pixels.height;
@@ -81,7 +63,7 @@ int print_run(const WhyOptions& options, const AdmittedScene& given, Pixel at, s
 
 int why(WhyOptions options) {
     const AdmittedScene scene = polygon_scene_for(options);
-    const Pixel at = pixel_in(scene->area, options.pixel);
+    const Pixel at = pixel_in(options.pixel, scene->area);
     const Reasons reasons(scene);
     if (options.json) {
         std::cout << why_json(reasons, at.x, at.y, scene);

@@ -1,11 +1,10 @@
 #include "figure/worksheet.h"
 
-#include <charconv>
-
 #include "choice/method.h"
 #include "cli/commands.h"
 #include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
+#include "cli/shared/read_numbers.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
@@ -59,8 +58,7 @@ figures::ChosenRows chosen_from(const std::string& text, bool are_steps) {
     const std::string option = std::string(are_steps ? "--steps " : "--rows ") + text;
     figures::ChosenRows chosen{.are_steps = are_steps};
     const auto read = [&](std::string_view part, std::uint64_t& to) {
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
-        if (error != std::errc() || end != part.data() + part.size()) throw Refused(option + ": not N or A..B");
+        if (!is_read(part, to)) throw Refused(option + ": not N or A..B");
     };
     const auto dots = text.find("..");
     if (dots != text.npos) read(std::string_view(text).substr(0, dots), chosen.first);

@@ -39,10 +39,6 @@ void draw_visited(Drawing& to, const Moment& moment, const Plane& plane);
 /// The subject of the step: points, pixels, pieces of edges.
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-struct Pixel {
-    int x = 0, y = 0;
-};
-
 /// The chosen pixel, visible even where pixels are small.
 void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane);
 

@@ -15,13 +15,13 @@ constexpr Found noted(bool concerns) { return concerns ? Found(Outcome::note) : 
 constexpr Found painted(bool concerns) { return concerns ? Found(Outcome::paint) : std::nullopt; }
 constexpr bool is_in(int x, int first, int end) { return first <= x && x < end; }
 
-bool overlaps(const Window& window, ChosenPixel pixel) {
+bool overlaps(const Window& window, Pixel pixel) {
     return window.x < pixel.x + 1 && window.right() > pixel.x && window.y < pixel.y + 1 && window.bottom() > pixel.y;
 }
 
 /// The windows that contain the pixel, and the findings about them.
 struct WarnockJudge {
-    ChosenPixel pixel;
+    Pixel pixel;
     const PixelWatch::Memory& memory;
     const State& after;
 
@@ -84,7 +84,7 @@ private:
 
 /// The lines on the pixel's row, and on these what is at its column.
 struct ZBufferJudge {
-    ChosenPixel pixel;
+    Pixel pixel;
     const PixelWatch::Memory& memory;
     const State& after;
 
@@ -112,7 +112,7 @@ struct ZBufferJudge {
 
 /// The pieces over the pixel's centre, what clips them, what is behind, and the visible region.
 struct RegionJudge {
-    ChosenPixel pixel;
+    Pixel pixel;
     const PixelWatch::Memory& memory;
     const State& after;
 

@@ -10,12 +10,9 @@
 #include "choice/language.h"
 #include "replay/floating_horizon_state.h"
 #include "replay/state.h"
+#include "vidno/kernel.h"
 
 namespace vidno::say {
-
-struct ChosenPixel {
-    int x = 0, y = 0;
-};
 
 /// What a step means for the pixel: a test was passed or failed, a colour written, a decision wrong, or none of these.
 enum class Outcome : unsigned char { pass, fail, paint, wrong, note };
@@ -24,7 +21,7 @@ inline constexpr std::array<std::string_view, 5> outcome_names{"pass", "fail", "
 /// Follows a pixel through a run.
 class PixelWatch {
 public:
-    explicit PixelWatch(ChosenPixel pixel) : pixel_(pixel) {}
+    explicit PixelWatch(Pixel pixel) : pixel_(pixel) {}
 
     /// Takes the next event, after which the run has this state. None if it does not concern the pixel.
     std::optional<Outcome> see(const EventView& event, const State& after);
@@ -41,7 +38,7 @@ public:
 private:
     std::optional<Outcome> remembered(std::optional<Outcome> outcome, std::uint64_t step);
 
-    ChosenPixel pixel_;
+    Pixel pixel_;
     Memory memory_;
 };
 

@@ -6,6 +6,7 @@
 #include "chart/chart.h"
 #include "check/seen_failure.h"
 #include "choice/method.h"
+#include "cli/shared/read_numbers.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
@@ -38,14 +39,6 @@ constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_h
 
 [[noreturn]] void refuse(const std::string& option, const std::string& reason) {
     throw Refused(option + ": " + reason);
-}
-
-std::uint64_t whole_number(const std::string& text, const std::string& option) {
-    std::uint64_t number = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is not a whole number");
-    return number;
 }
 
 std::vector<std::string> split(const std::string& text, const std::string& by) {
@@ -94,19 +87,6 @@ double length_of(const std::string& text) {
     return number;
 }
 
-figures::Pixel pixel_of(const std::string& text, const Area& area) {
-    const std::string option = "--pixel " + text;
-    const auto parts = split(text, ",");
-    figures::Pixel pixel;
-    const auto read = [&](const std::string& part, int& to) {
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
-        return !part.empty() && error == std::errc() && end == part.data() + part.size();
-    };
-    if (parts.size() != 2 || !read(parts[0], pixel.x) || !read(parts[1], pixel.y)) refuse(option, "not X,Y");
-    if (!area.contains(pixel.x, pixel.y)) refuse(option, "not a pixel of the area");
-    return pixel;
-}
-
 std::vector<figures::Part> parts_of(const FigureOptions& options) {
     std::vector<figures::Part> parts;
     for (const auto& name : split(options.show, ",")) {
@@ -152,7 +132,7 @@ std::optional<figures::PixelHistory> history_in(const FigureOptions& options, co
         return std::nullopt;
     }
     if (options.pixel.empty()) refuse("--show history", "needs --pixel X,Y");
-    return figures::PixelHistory(pixel_of(options.pixel, area), drawing.style.language);
+    return figures::PixelHistory(pixel_in(options.pixel, area), drawing.style.language);
 }
 
 figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,

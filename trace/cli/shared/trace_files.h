@@ -6,11 +6,19 @@
 #include "format/trace_reader.h"
 #include "refused.h"
 #include "replay/call_stack.h"
+#include "replay/floating_horizon_state.h"
+#include "replay/state.h"
 
 namespace vidno::cli {
 
 /// Whether a file is a trace, by its name.
 inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
+
+/// The state before a run's first step.
+inline State state_of(const TraceReader& reader) { return State(reader.header()); }
+inline FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
+    return FloatingHorizonState(reader.header());
+}
 
 /// Passes the next event of the trace to `take`; false at the end. Throws Refused, with line and step, for an event that cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
