@@ -83,11 +83,7 @@ std::string choices_json() {
         all_deviations[name_of(Deviation(i))] = deviation_json(deviations[i]);
     }
     Json colors = Json::array();
-    for (const Color& color : palette) {
-        Text hex;
-        append_hex(hex, color);
-        colors.push_back(hex.string());
-    }
+    for (const Color& color : palette) colors.push_back(hex_of(color));
     return Json{{"methods", methods},
                 {"kernels", kernels},
                 {"editions", editions},

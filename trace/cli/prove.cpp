@@ -31,24 +31,18 @@ Picture picture_to_prove(const ProveOptions& options, const AdmittedScene& given
     return run(request_of(options, kernel, scene));
 }
 
-std::string hex(const Color& color) {
-    Text text;
-    append_hex(text, color);
-    return text.string();
-}
-
 /// Prints a wrong pixel, what must show there, and why the polygons in the picture's colour do not.
 void print_wrong(int x, int y, const Color& shown, const AdmittedScene& scene, const Reasons& reasons) {
     const auto owner = reasons.owner(x, y);
-    std::cout << "pixel " << x << "," << y << " is " << hex(shown) << ", but ";
+    std::cout << "pixel " << x << "," << y << " is " << hex_of(shown) << ", but ";
     if (owner) {
-        std::cout << sentence(reasons.at(x, y, *owner), scene, Language::english);
+        std::cout << sentence(reasons.at(x, y, *owner, owner), scene, Language::english);
     } else {
         std::cout << "no polygon shows";
     }
     for (int i = 0; i < int(scene->polygons.size()); ++i) {
         if (scene->polygons[std::size_t(i)].color != shown || i == owner) continue;
-        std::cout << ". " << sentence(reasons.at(x, y, i), scene, Language::english);
+        std::cout << ". " << sentence(reasons.at(x, y, i, owner), scene, Language::english);
     }
     std::cout << '\n';
 }
@@ -80,19 +74,17 @@ void say_plain_scene(const ProveOptions& options, const AdmittedScene& scene) {
 int prove_picture(ProveOptions options) {
     const AdmittedScene scene = polygon_scene_for(options);
     const Picture picture = picture_to_prove(options, scene);
-    OutputFile file(options.output);
-    Text line;
-    line += proof_header;
+    Text proof;
+    proof += proof_header;
     Progress progress("rectangles");
     const Picture right = prove(scene, [&, count = 0ULL](const ProvedRectangle& rectangle) mutable {
-        append_rectangle(line, rectangle);
-        file.write(line.view());
-        line.clear();
+        append_rectangle(proof, rectangle);
         progress.show(++count);
     });
     progress.clear();
+    // A wrong picture has no proof, so nothing is written before it is compared.
     if (print_wrong(picture, right, scene)) return 1;
-    file.commit();
+    write_file(options.output, proof.view());
     say_plain_scene(options, scene);
     return 0;
 }

@@ -12,12 +12,6 @@ std::string attribute(std::string_view name, std::string_view value) {
     return " " + std::string(name) + "=\"" + escaped_for_xml(value) + "\"";
 }
 
-std::string hex(const Color& color) {
-    Text text;
-    append_hex(text, color);
-    return text.string();
-}
-
 std::string millimetres(double points) { return decimal(points / points_per_millimetre); }
 
 std::string data_of(const Path& path) {
@@ -31,9 +25,9 @@ std::string data_of(const Path& path) {
 }
 
 std::string element(const Path& path) {
-    std::string text = "<path" + attribute("fill", path.fill ? hex(*path.fill) : "none");
+    std::string text = "<path" + attribute("fill", path.fill ? hex_of(*path.fill) : "none");
     if (const auto& stroke = path.stroke) {
-        text += attribute("stroke", hex(stroke->color)) + attribute("stroke-width", millimetres(stroke->width));
+        text += attribute("stroke", hex_of(stroke->color)) + attribute("stroke-width", millimetres(stroke->width));
         std::string dashes;
         for (const double dash : stroke->dashes) dashes += (dashes.empty() ? "" : " ") + millimetres(dash);
         if (!dashes.empty()) text += attribute("stroke-dasharray", dashes);
@@ -47,7 +41,7 @@ std::string element(const Label& label) {
     if (label.bold) text += attribute("font-weight", "bold");
     if (label.anchor != Anchor::start)
         text += attribute("text-anchor", label.anchor == Anchor::middle ? "middle" : "end");
-    if (!(label.color == Color{})) text += attribute("fill", hex(label.color));
+    if (!(label.color == Color{})) text += attribute("fill", hex_of(label.color));
     return text + ">" + escaped_for_xml(label.text) + "</text>\n";
 }
 

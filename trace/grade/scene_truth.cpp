@@ -644,11 +644,7 @@ std::string in_words(double value) {
     return text.string();
 }
 
-std::string in_words(Color color) {
-    Text text;
-    append_hex(text, color);
-    return text.string();
-}
+std::string in_words(Color color) { return hex_of(color); }
 
 std::string in_words(const Window& window) {
     return in_words(window.x) + " " + in_words(window.y) + " " + in_words(window.width) + " " + in_words(window.height);

@@ -131,6 +131,12 @@ inline void append_hex(auto& out, const Color& color) {
     }
 }
 
+inline std::string hex_of(const Color& color) {
+    Text text;
+    append_hex(text, color);
+    return text.string();
+}
+
 inline void append_area(auto& out, const Area& area) {
     out += std::string_view("{\"x\":");
     append_integer(out, area.x);

@@ -107,7 +107,7 @@ Reasons::~Reasons() = default;
 
 std::optional<int> Reasons::owner(int x, int y) const { return polygons_->owner(x, y, std::nullopt); }
 
-AtPixel Reasons::at(int x, int y, int polygon) const {
+AtPixel Reasons::at(int x, int y, int polygon, std::optional<int> owner) const {
     const auto exact = [&](int place) -> const PolygonAtPixel& { return polygons_->all[std::size_t(place)]; };
     const PolygonAtPixel& own = exact(polygon);
     AtPixel found{.polygon = polygon};
@@ -118,7 +118,6 @@ AtPixel Reasons::at(int x, int y, int polygon) const {
     const Point<Rational> at = Polygons::centre(x, y);
     const Rational depth = own.depth(at);
     found.depth = Fraction{Exact::fraction(depth)};
-    const auto owner = this->owner(x, y);
     const bool shows = owner == polygon;
     const bool holds = shows || own.holds(at);
     found.standing = shows ? Standing::shows : holds ? Standing::behind : Standing::beside;

@@ -52,7 +52,8 @@ public:
 
     /// The polygon that shows at a pixel by the picture rule.
     std::optional<int> owner(int x, int y) const;
-    AtPixel at(int x, int y, int polygon) const;
+    /// `owner` is the pixel's.
+    AtPixel at(int x, int y, int polygon, std::optional<int> owner) const;
 
 private:
     struct Polygons;

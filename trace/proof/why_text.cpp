@@ -173,7 +173,7 @@ std::string why_json(const Reasons& reasons, int x, int y, const Scene& scene) {
     char before = '[';
     for (int i = 0; i < int(scene.polygons.size()); ++i) {
         out += before;
-        append_found(out, reasons.at(x, y, i), scene);
+        append_found(out, reasons.at(x, y, i, owner), scene);
         before = ',';
     }
     if (before == '[') out += before;
@@ -185,11 +185,11 @@ std::string why_text(const Reasons& reasons, int x, int y, const Scene& scene, L
     const std::string pixel = std::to_string(x) + "," + std::to_string(y);
     const auto owner = reasons.owner(x, y);
     std::string text = std::string(Bilingual{"pixel ", "пиксель "}.in(language)) + pixel + ": ";
-    text += owner ? sentence(reasons.at(x, y, *owner), scene, language)
+    text += owner ? sentence(reasons.at(x, y, *owner, owner), scene, language)
                   : std::string(Bilingual{"no polygon shows", "не виден ни один многоугольник"}.in(language));
     text += '\n';
     for (int i = 0; i < int(scene.polygons.size()); ++i) {
-        if (i != owner) text += "  " + sentence(reasons.at(x, y, i), scene, language) + '\n';
+        if (i != owner) text += "  " + sentence(reasons.at(x, y, i, owner), scene, language) + '\n';
     }
     return text;
 }

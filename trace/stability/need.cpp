@@ -14,20 +14,14 @@ namespace vidno {
 
 namespace {
 
-std::string text_of(const Color& color) {
-    Text text;
-    append_hex(text, color);
-    return text.string();
-}
-
 /// The first wrong pixel of a picture.
 std::optional<std::string> wrong_pixel(const Picture& picture, const Picture& right) {
     const Area& area = right.area();
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
             if (picture.at(x, y) == right.at(x, y)) continue;
-            return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " + text_of(picture.at(x, y)) +
-                   ", not " + text_of(right.at(x, y));
+            return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " + hex_of(picture.at(x, y)) +
+                   ", not " + hex_of(right.at(x, y));
         }
     }
     return std::nullopt;
