@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "figure_words.h"
+#include "say/numbers.h"
 
 namespace vidno::figures {
 
 namespace {
+
+using say::in_format;
 
 std::string written(double value, std::chars_format format, int digits) {
     std::array<char, 64> text;
@@ -48,13 +51,6 @@ std::string short_number(double value, std::size_t most) {
         if (text.size() <= most) return text;
     }
     return written(value, std::chars_format::scientific, 1);
-}
-
-/// With a real minus sign, and the decimal sign of the language.
-std::string in_format(std::string text, Language language) {
-    if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
-    for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
-    return text;
 }
 
 constexpr std::string_view between_numbers(Language language) { return language == Language::russian ? "; " : ", "; }

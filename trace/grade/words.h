@@ -9,6 +9,7 @@
 
 #include "choice/language.h"
 #include "grade/scene_truth.h"
+#include "say/words.h"
 #include "vidno/picture.h"
 
 namespace vidno {
@@ -20,7 +21,7 @@ public:
     std::string_view of(const Bilingual& text) const { return text.in(language_); }
 
     std::string operator()(const Bilingual& text, const auto&... arguments) const {
-        return filled(of(text), {said(arguments)...});
+        return say::filled(of(text), {said(arguments)...});
     }
 
     std::string said(std::string_view text) const { return std::string(text); }
@@ -52,21 +53,6 @@ private:
     std::string_view separator() const { return of({", ", "; "}); }
     std::string rectangle(const std::string& place, const std::string& width, const std::string& height) const {
         return (*this)({"{} of {} x {}", "{} размером {} × {}"}, place, width, height);
-    }
-
-    static std::string filled(std::string_view text, const std::vector<std::string>& arguments) {
-        std::string filled;
-        std::size_t next = 0;
-        while (!text.empty()) {
-            const auto open = std::min(text.find('{'), text.size());
-            filled += text.substr(0, open);
-            text.remove_prefix(open);
-            if (text.empty()) break;
-            const bool is_numbered = text[1] != '}';
-            filled += arguments.at(is_numbered ? std::size_t(text[1] - '0') : next++);
-            text.remove_prefix(is_numbered ? 3 : 2);
-        }
-        return filled;
     }
 
     Language language_;

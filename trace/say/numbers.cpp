@@ -145,14 +145,6 @@ std::string whole(const Value& value) {
     return (value.number < 0 ? "-" : "") + in_digits(shortest(std::abs(value.number)));
 }
 
-/// With the minus sign and the decimal sign of the language.
-std::string in_format(std::string text, Language language) {
-    const auto point = text.find('.');
-    if (language == Language::russian && point != text.npos) text[point] = ',';
-    for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
-    return text;
-}
-
 /// The product of two whole numbers of decimal digits, the last digit first.
 std::string product(std::string_view one, std::string_view other) {
     std::string digits(one.size() + other.size(), 0);
@@ -211,6 +203,12 @@ double double_of(const Value& value) {
 }
 
 }  // namespace
+
+std::string in_format(std::string text, Language language) {
+    if (language == Language::russian) std::replace(text.begin(), text.end(), '.', ',');
+    for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
+    return text;
+}
 
 std::string short_number(const Value& value, Language language) { return in_format(plain(value), language); }
 

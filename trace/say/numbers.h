@@ -12,6 +12,9 @@
 
 namespace vidno::say {
 
+/// A number's digits with a real minus sign, and with the decimal sign of the language.
+std::string in_format(std::string text, Language language);
+
 /// At most seven characters, or a few more with a power of ten.
 std::string short_number(const Value& value, Language language);
 

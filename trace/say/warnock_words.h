@@ -81,7 +81,7 @@ public:
         return sum;
     }
 
-    /// Of a colour that an event paints or finds.
+    /// The owners of the colour that an event paints or finds.
     Owners owners(const auto& e) const {
         using enum Line;
         constexpr bool fills = std::is_same_v<std::decay_t<decltype(e)>, event::Fill>;

@@ -1,5 +1,7 @@
 #include "say/words.h"
 
+#include <algorithm>
+
 namespace vidno::say {
 
 namespace {
@@ -12,17 +14,17 @@ bool is_one(long long n, Language language) { return language == Language::russi
 
 }  // namespace
 
-std::string filled(std::string_view text, std::initializer_list<std::string> parts) {
+std::string filled(std::string_view text, const std::vector<std::string>& parts) {
     std::string made;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '{') {
-            made += text[i];
-            continue;
-        }
-        const bool is_numbered = text[i + 1] != '}';
-        made += parts.begin()[is_numbered ? std::size_t(text[i + 1] - '0') : next++];
-        i += is_numbered ? 2 : 1;
+    while (!text.empty()) {
+        const auto open = std::min(text.find('{'), text.size());
+        made += text.substr(0, open);
+        text.remove_prefix(open);
+        if (text.empty()) break;
+        const bool is_numbered = text[1] != '}';
+        made += parts.at(is_numbered ? std::size_t(text[1] - '0') : next++);
+        text.remove_prefix(is_numbered ? 3 : 2);
     }
     return made;
 }

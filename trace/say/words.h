@@ -1,7 +1,6 @@
 /// Words: what the sentences of all algorithms are made of: numbers, points, names and counts in a language.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +20,7 @@ inline constexpr Plurals pixel_forms{{"pixel", "", "pixels"}, {"пиксель",
 inline constexpr Plurals vertex_forms{{"vertex", "", "vertices"}, {"вершина", "вершины", "вершин"}};
 
 /// The text with the parts in place of `{}`, in order, and of `{0}`, `{1}` and so on.
-std::string filled(std::string_view text, std::initializer_list<std::string> parts);
+std::string filled(std::string_view text, const std::vector<std::string>& parts);
 
 /// With a capital letter at its start.
 std::string capital(std::string text);

@@ -152,22 +152,9 @@ const Value* depth_at(int number, int x, int y) {
     return has_one ? &screen->depths()->at(x, y) : nullptr;
 }
 
-struct SentenceForPixel {
-    EventView event;
-    say::Outcome outcome;
-    Language language;
-    std::string operator()(const auto& after) const { return say::sentence_for_pixel(event, outcome, after, language); }
-};
-
 std::uint64_t step_of(const AnyState& state) {
     return std::visit([](const auto& of_kind) { return of_kind.step(); }, state);
 }
-
-struct Sentence {
-    EventView event;
-    Language language;
-    std::string operator()(const auto& after) const { return say::sentence(event, after, language); }
-};
 
 void append_shortened(Text& out, const Replay::Shortened& shortened) {
     constexpr std::string_view names[] = {"cut", "partial", "wrong"};
@@ -228,8 +215,10 @@ extern "C" {
 
 [[clang::export_name("trace_sentence")]] void vidno_trace_sentence(int trace, std::size_t step, int language) {
     vidno::attempt([&](vidno::Exchange& page) {
-        const auto [event, after] = vidno::replay(trace).look_at(step);
-        page.made += std::visit(vidno::Sentence{event, vidno::Language(language)}, after);
+        const auto seen = vidno::replay(trace).look_at(step);
+        std::visit(
+            [&](const auto& after) { page.made += vidno::say::sentence(seen.event, after, vidno::Language(language)); },
+            seen.after);
     });
 }
 
@@ -255,9 +244,13 @@ extern "C" {
 [[clang::export_name("history_sentence")]] void vidno_history_sentence(int history, std::size_t step, int outcome,
                                                                        int language) {
     vidno::attempt([&](vidno::Exchange& page) {
-        const auto [event, after] = vidno::replay(vidno::histories().at(history).trace).look_at(step);
-        page.made +=
-            std::visit(vidno::SentenceForPixel{event, vidno::say::Outcome(outcome), vidno::Language(language)}, after);
+        const auto seen = vidno::replay(vidno::histories().at(history).trace).look_at(step);
+        std::visit(
+            [&](const auto& after) {
+                page.made += vidno::say::sentence_for_pixel(seen.event, vidno::say::Outcome(outcome), after,
+                                                            vidno::Language(language));
+            },
+            seen.after);
     });
 }
 
