@@ -18,7 +18,6 @@
 #include "cli/shared/run_options.h"
 #include "cli/shared/shard.h"
 #include "counted.h"
-#include "json/document_format.h"
 #include "output.h"
 #include "scene/scene_json.h"
 #include "scene/surface.h"
@@ -306,9 +305,9 @@ int write_script(const StabilityOptions& options) {
     if (options.output.empty()) throw Refused("--script: say by -o where the results shall be");
     Distribution of{with_defaults(options.campaign), options.output, options.tasks, 0};
     const double seconds = seconds_of(of.campaign);
-    constexpr double of_a_task = 300,
-                     most = 1000;  // a site of Slurm allows arrays of 1000 tasks unless it says otherwise
-    if (of.tasks == 0) of.tasks = std::uint64_t(std::clamp(std::ceil(seconds / of_a_task), 1., most));
+    // A site of Slurm allows arrays of 1000 tasks unless it says otherwise.
+    constexpr double most_tasks = 1000, seconds_of_a_task = 300;
+    if (of.tasks == 0) of.tasks = std::uint64_t(std::clamp(std::ceil(seconds / seconds_of_a_task), 1., most_tasks));
     of.seconds = seconds / double(of.tasks);
     std::cout << (options.script == "slurm" ? slurm_script(of) : parallel_script(of));
     return 0;
@@ -323,14 +322,13 @@ Campaign campaign_of(const StabilityOptions& options) {
     }
     Campaign campaign = with_defaults(options.campaign);
     // A file from before files named the version is continued as it began.
-    const auto names_no_version = [&] {
+    Campaign of_before = campaign;
+    of_before.version.clear();
+    if (!options.output.empty() && std::filesystem::is_regular_file(options.output)) {
         LineReader lines(options.output);
-        std::string line;
-        return lines.next(line) && document_format(line) == results_format &&
-               campaign_in(options.output).version.empty();
-    };
-    if (!options.output.empty() && std::filesystem::is_regular_file(options.output) && names_no_version())
-        campaign.version.clear();
+        std::string first;
+        if (lines.next(first) && first + "\n" == header_of(of_before)) return of_before;
+    }
     return campaign;
 }
 
@@ -399,8 +397,8 @@ int stability(const StabilityOptions& options) {
     Progress progress("blocks");
     std::size_t done = 0;
     run_blocks(results.campaign(), blocks, options.jobs, [&](const Block& block, const Tallies& tallies) {
-        results.add(block, tallies);
-        if (journal) journal->append(line_of(results.campaign(), block, tallies));
+        const std::string line = results.add(block, tallies);
+        if (journal) journal->append(line);
         progress.show(++done, blocks.size());
     });
     progress.clear();

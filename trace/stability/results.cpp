@@ -82,8 +82,9 @@ public:
         std::uint64_t before = 0;
         begin(campaign);
         for (std::string line; is_sorted && read(line);) {
-            is_sorted = number_of(line) >= before;
-            before = number_of(line);
+            const std::uint64_t number = number_of(line);
+            is_sorted = number >= before;
+            before = number;
         }
         begin(campaign);
         if (is_sorted) return;
@@ -188,8 +189,16 @@ Results::Results(Campaign campaign)
 
 bool Results::has(const Block& block) const { return block.first == block.end || lines_[block.number] != 0; }
 
-void Results::add(const Block& block, const Tallies& tallies) {
-    add(block, tallies, line_of(campaign_, block, tallies));
+std::size_t Results::place_of(std::string_view family, const Experiment& experiment) const {
+    const auto found = std::find(campaign_.families.begin(), campaign_.families.end(), family);
+    return std::size_t(found - campaign_.families.begin()) * experiments.size() +
+           std::size_t(&experiment - experiments.data());
+}
+
+std::string Results::add(const Block& block, const Tallies& tallies) {
+    std::string line = line_of(campaign_, block, tallies);
+    add(block, tallies, line);
+    return line;
 }
 
 void Results::add(const Block& block, const Tallies& tallies, const std::string& line) {
@@ -200,14 +209,10 @@ void Results::add(const Block& block, const Tallies& tallies, const std::string&
     }
     lines_[block.number] = hash;
     --missing_;
-    const auto is_name = [&](const std::string& name) { return name == block.family->name; };
-    const auto family = std::find_if(campaign_.families.begin(), campaign_.families.end(), is_name);
-    add_to(sums_[std::size_t(family - campaign_.families.begin()) * experiments.size() +
-                 std::size_t(block.experiment - experiments.data())],
-           tallies);
+    add_to(sums_[place_of(block.family->name, *block.experiment)], tallies);
 }
 
-Block Results::add_line(const std::string& line, const std::string& place) {
+void Results::add_line(const std::string& line, const std::string& place) {
     try {
         const Json object = Json::parse(line);
         const auto number = object.at("block").get<std::uint64_t>();
@@ -216,7 +221,7 @@ Block Results::add_line(const std::string& line, const std::string& place) {
             const Block block = blocks_.at(number);
             if (block.first < block.end && line_of(campaign_, block, tallies) == line + "\n") {
                 add(block, tallies, line + "\n");
-                return block;
+                return;
             }
         }
     } catch (const Json::exception&) {
@@ -235,9 +240,7 @@ void Results::add_file(const std::string& file) {
 }
 
 const Tallies& Results::sum(std::string_view family, const Experiment& experiment) const {
-    const auto found = std::find(campaign_.families.begin(), campaign_.families.end(), family);
-    return sums_.at(std::size_t(found - campaign_.families.begin()) * experiments.size() +
-                    std::size_t(&experiment - experiments.data()));
+    return sums_.at(place_of(family, experiment));
 }
 
 bool Results::as_promised() const {

@@ -34,10 +34,11 @@ public:
     bool has(const Block& block) const;
     std::uint64_t missing() const { return missing_; }
 
-    /// Adds a finished block; once, however often it is added. Throws Refused if it came out otherwise before.
-    void add(const Block& block, const Tallies& tallies);
-    /// The same for the line of a file; gives the block.
-    Block add_line(const std::string& line, const std::string& place);
+    /// Adds a finished block, and gives its line for a file; it counts once, however often it is added. Throws Refused if it came out
+    /// otherwise before.
+    std::string add(const Block& block, const Tallies& tallies);
+    /// The same for the line of a file.
+    void add_line(const std::string& line, const std::string& place);
     /// The same for the lines of a file of this campaign.
     void add_file(const std::string& file);
 
@@ -48,6 +49,7 @@ public:
 
 private:
     void add(const Block& block, const Tallies& tallies, const std::string& line);
+    std::size_t place_of(std::string_view family, const Experiment& experiment) const;  // in sums_
 
     Campaign campaign_;
     Blocks blocks_;

@@ -97,15 +97,8 @@ std::string parallel_script(const Distribution& of) {
            R"(mkdir -p "$results.parts"
 export vidno results
 parallel ${1:+--sshloginfile "$1" --env vidno --env results --workdir "$PWD"} --retries 5 \
-    ')" +
-           [](std::string command) {
-               // Inside the quotes of the shell's word, each quote ends it, stands for itself, and begins it again.
-               for (std::size_t at = command.find('\''); at != command.npos; at = command.find('\'', at + 4)) {
-                   command.replace(at, 1, "'\\''");
-               }
-               return command;
-           }(command_of(of.campaign)) +
-           " --jobs 1 --shard {}/" + tasks + R"( -o "$results.parts/{}.jsonl"' ::: {1..)" + tasks + R"(}
+    )" + quoted(command_of(of.campaign) + " --jobs 1 --shard {}/" + tasks + " -o \"$results.parts/{}.jsonl\"") +
+           " ::: {1.." + tasks + R"(}
 "$vidno" stability --merge "$results".parts/*.jsonl -o "$results"
 )";
 }
