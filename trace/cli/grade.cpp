@@ -304,11 +304,15 @@ Graded grade_entry(const Entry& entry, const FolderGrading& of) {
     const Grading& grading = of.grading;
     const std::string name = escaped_for_terminal(entry.file.filename().string());
     const std::string report = (of.reports / entry.file.filename()).string();
-    std::string reason = entry.refused;
+    const auto not_judged = [&](const std::string& why) {
+        const std::string reason = escaped_for_terminal(why);
+        write_new(report + ".txt", reason + '\n');
+        return Graded{line_of(name, reason, of.format), reason};
+    };
+    if (!entry.refused.empty()) return not_judged(entry.refused);
     try {
-        if (!reason.empty()) throw Refused(reason);
         const ProgramGrade grade = grade_program(entry.file, of.scenes, grading, [](std::size_t) {});
-        if (reason = mute(grade); !reason.empty()) throw Refused(reason);
+        if (const std::string reason = mute(grade); !reason.empty()) return not_judged(reason);
         std::string text = report_of(grade, grading);
         const SceneGrade* first = grade.first_wrong();
         if (first && first->run.header) {
@@ -323,9 +327,7 @@ Graded grade_entry(const Entry& entry, const FolderGrading& of) {
                               : grading.say({"wrong on {} of {}", "неверно на сценах: {} из {}"}, grade.wrong(),
                                             grade.scenes.size())};
     } catch (const Refused& refused) {
-        reason = escaped_for_terminal(refused.what());
-        write_new(report + ".txt", reason + '\n');
-        return {line_of(name, reason, of.format), reason};
+        return not_judged(refused.what());
     }
 }
 

@@ -13,7 +13,7 @@ struct Shard {
     bool has(std::uint64_t item) const { return item % of == number - 1; }
 };
 
-/// Of "K/N", or of "auto": the task of an array of Slurm, whose tasks must be 1 to N. Throws Refused.
+/// Reads "K/N". Reads "auto" as the task of an array of Slurm, whose tasks must be 1 to N. Throws Refused.
 Shard shard_from(std::string text);
 
 }  // namespace vidno::cli
