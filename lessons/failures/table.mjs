@@ -20,15 +20,9 @@ const answer = (value, { yes, no, none, range }) => {
   return first < end ? range(first, end - 1) : none;
 };
 
-/** A table of the page. */
-const tableOf = (file, name) => {
-  const text = readFileSync(join(folder, '../../viewer_web/src', file), 'utf8');
-  return Function(`return ${text.match(new RegExp(`const ${name}\\b.*? = (\\{.*?\\n\\})`, 'su'))[1]}`)();
-};
 /** What a decision is about, in each language. The build makes this table. */
-const decisions = tableOf('trace/event-table.ts', 'decisionWords');
-/** The reasons of a fault in a trace, in Russian. */
-const faults = tableOf('language/fault-reason.ts', 'russian');
+const eventTable = readFileSync(join(folder, '../../viewer_web/src/trace/event-table.ts'), 'utf8');
+const decisions = Function(`return ${eventTable.match(/const decisionWords\b.*? = (\{.*?\n\})/su)[1]}`)();
 
 const english = { yes: 'yes', no: 'no', none: 'none', range: (first, last) => `${first} to ${last}` };
 const russian = { yes: 'да', no: 'нет', none: 'пусто', range: (first, last) => `от ${first} до ${last}` };
@@ -44,7 +38,7 @@ these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${decisions.en[of]}: computed ${answer(taken, english)}, exact ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
-    fault: (reason) => reason,
+    fault: ({ en }) => en,
     endless: () => 'it does not end by itself',
     missing: (label) => `${label} is not reached`,
     present: (label) => `${label} is reached`,
@@ -64,7 +58,7 @@ these tables.`,
     head: ['ошибка', 'причина', 'прогон', 'шаг', 'что на нём видно', 'исправление'],
     wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: вычислено ${answer(taken, russian)}, точный ответ — ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
-    fault: (reason) => faults[reason] ?? reason,
+    fault: ({ ru }) => ru,
     endless: () => 'сам не завершается',
     missing: (label) => `строка ${label} не достигнута`,
     present: (label) => `строка ${label} достигнута`,
@@ -77,8 +71,9 @@ these tables.`,
 };
 
 function vidno(...args) {
-  const { status, stderr } = spawnSync(program, args);
-  if (status === 2) throw new Error(String(stderr));
+  const { status, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8' });
+  if (status === 2) throw new Error(stderr);
+  return stdout;
 }
 
 /** The file of a scene, for the program. */
@@ -88,11 +83,19 @@ function written(scene, name) {
   return file;
 }
 
+const traceFile = (name) => join(work, `${name}.jsonl`);
+
 function trace(name, scene, { method, kernel, edition }, ...more) {
-  const file = join(work, `${name}.jsonl`);
+  const file = traceFile(name);
   const run = ['--method', method, '--kernel', kernel, '--edition', edition, ...more];
   vidno('trace', scene, ...run, '--max-events', '20000', '-o', file); // one of them goes on for millions
   return readFileSync(file, 'utf8').split('\n').slice(1, -2).map((line) => JSON.parse(line));
+}
+
+/** The sentence of a step, in each language. `vidno say` writes the step before it. */
+function sentences(name, step) {
+  const said = (language) => vidno('say', traceFile(name), '--step', step, '--language', language).replace(/^\d+: /u, '').trimEnd();
+  return { en: said('en'), ru: said('ru') };
 }
 
 const place = (events, label) => events.findIndex(({ e, at }) => at === label && e !== 'call');
@@ -154,8 +157,8 @@ function seen({ scene, fails, holds, shows }) {
   const failing = trace('fails', file, fails);
   const holding = trace('holds', holds.scene ? written(holds.scene, 'holds.json') : file, holds);
   if (shows.fault) {
-    const step = failing.findIndex(({ e, at }) => e === 'fault' && at === shows.fault);
-    return step < 0 ? { there: 'endless' } : { step: step + 1, there: 'fault', value: failing[step].reason };
+    const step = failing.findIndex(({ e, at }) => e === 'fault' && at === shows.fault) + 1;
+    return step === 0 ? { there: 'endless' } : { step, there: 'fault', value: sentences('fails', step) };
   }
   if (shows.missing) return { step: place(holding, shows.missing) + 1, there: 'missing', value: shows.missing };
   if (shows.present) return { step: place(failing, shows.present) + 1, there: 'present', value: shows.present };
