@@ -53,7 +53,8 @@ std::string read_file(const std::string& name) {
         errno = 0;
         std::ifstream in(name, std::ios::binary);
         if (!in) refuse(name, "cannot read");
-        // The stream would copy a large file several times while it grows. A pipe has no size, and a file in /proc has 0.
+        // The stream would copy a large file several times while it grows. A pipe has no size, and a file in /proc has
+        // 0.
         std::error_code error;
         const auto size = std::filesystem::file_size(name, error);
         if (!error && size > 0) {

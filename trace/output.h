@@ -20,9 +20,9 @@ std::string read_text(const std::string& name);
 /// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.
 enum class Packing : unsigned char { quick, done };
 
-/// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. A device or a pipe
-/// is written to directly. Throws Refused if the system refuses, or if more than eight files are written at once, and OutputLost if the
-/// device is full.
+/// Writes a temporary file and renames it at `commit`; without that nothing remains. "-" is standard output. A device
+/// or a pipe is written to directly. Throws Refused if the system refuses, or if more than eight files are written at
+/// once, and OutputLost if the device is full.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
@@ -41,7 +41,8 @@ private:
     std::unique_ptr<Stream> stream_;
 };
 
-/// Writes what standard output still buffers. Throws OutputLost if anything that the program printed could not be written.
+/// Writes what standard output still buffers. Throws OutputLost if anything that the program printed could not be
+/// written.
 void flush_standard_output();
 
 /// Removes the temporary files that are not committed. A signal handler may call it.
@@ -50,8 +51,8 @@ void remove_unfinished_files() noexcept;
 /// Writes a complete output file.
 void write_file(const std::string& name, std::string_view bytes, Packing packing = Packing::quick);
 
-/// The lines of a file one by one, gzipped or not, "-" for standard input. All lines end like the first: at LF, or at CR alone. A byte
-/// order mark is passed over; text in UTF-16 is refused.
+/// The lines of a file one by one, gzipped or not, "-" for standard input. All lines end like the first: at LF, or at
+/// CR alone. A byte order mark is passed over; text in UTF-16 is refused.
 class LineReader {
 public:
     /// Throws Refused if the file cannot be opened.

@@ -1,5 +1,5 @@
-// A skeleton for the floating horizon, with the place of each call of `trace`. You write the procedures. Without them the program draws
-// nothing, and `vidno grade` says so.
+// A skeleton for the floating horizon, with the place of each call of `trace`. You write the procedures. Without them
+// the program draws nothing, and `vidno grade` says so.
 //
 //     floating_horizon [windows | polygons | signs]     writes floating_horizon.jsonl
 #include "example.h"

@@ -5,7 +5,8 @@
 using namespace vidno::student;
 
 struct Mine {
-    /// True if a ray to the right crosses the outline an odd number of times. An edge includes its upper end but not its lower one.
+    /// True if a ray to the right crosses the outline an odd number of times. An edge includes its upper end but not
+    /// its lower one.
     static bool surround_test(Point point, const std::vector<Vertex>& polygon) {
         bool inside = false;
         for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,5 +1,5 @@
-/// Runs vidno's methods with some of their procedures replaced by your own, written in plain doubles. README.md beside this file
-/// explains how. Needs C++20, vidno's headers, GLM and CGAL.
+/// Runs vidno's methods with some of their procedures replaced by your own, written in plain doubles. README.md beside
+/// this file explains how. Needs C++20, vidno's headers, GLM and CGAL.
 ///
 ///     struct Mine {
 ///         static bool surround_test(Point point, const std::vector<Vertex>& polygon);

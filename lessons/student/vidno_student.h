@@ -1,8 +1,9 @@
-/// Writes what your own program does, step by step, as a trace that the page of vidno replays. README.md beside this file explains how
-/// to begin. Needs only C++14 and the standard library; a program that includes it does not need vidno.
+/// Writes what your own program does, step by step, as a trace that the page of vidno replays. README.md beside this
+/// file explains how to begin. Needs only C++14 and the standard library; a program that includes it does not need
+/// vidno.
 ///
-/// Make one call for each step. A call names the step's place in the listing and its result; trace/FORMAT.md describes the events.
-/// A call that cannot be right is reported on standard error, and the program continues.
+/// Make one call for each step. A call names the step's place in the listing and its result; trace/FORMAT.md describes
+/// the events. A call that cannot be right is reported on standard error, and the program continues.
 #ifndef VIDNO_STUDENT_H
 #define VIDNO_STUDENT_H
 
@@ -49,14 +50,15 @@ struct Scene {
     std::vector<Polygon> polygons;
 };
 
-/// A point of a curve, over a whole column. y grows downward. Where it is no number, the curve has a gap: nothing joins it to its neighbours.
+/// A point of a curve, over a whole column. y grows downward. Where it is no number, the curve has a gap: nothing joins
+/// it to its neighbours.
 struct Sample {
     int x;
     double y;
 };
 
-/// The contents of a surface file: its curves from the nearest to the farthest, each from its left sample to its right one. Calls name a
-/// curve by its index here, from 0.
+/// The contents of a surface file: its curves from the nearest to the farthest, each from its left sample to its right
+/// one. Calls name a curve by its index here, from 0.
 struct Surface {
     std::string name;
     Area area;
@@ -84,8 +86,9 @@ inline std::string told_by_grade(const char* variable) {
     return value ? value : "";
 }
 
-/// The scene that `vidno grade` wants drawn, or else your own. Its text: name; x, y, width and height of the area; the background; the
-/// number of polygons; for each the id, the colour, the number of vertices, and the vertices. Names have their own lines.
+/// The scene that `vidno grade` wants drawn, or else your own. Its text: name; x, y, width and height of the area; the
+/// background; the number of polygons; for each the id, the colour, the number of vertices, and the vertices. Names
+/// have their own lines.
 inline Scene scene_to_draw(const Scene& own) {
     const std::string file = told_by_grade("VIDNO_SCENE");
     if (file.empty()) return own;
@@ -118,8 +121,8 @@ inline Scene scene_to_draw(const Scene& own) {
     return scene;
 }
 
-/// The surface that `vidno grade` wants drawn, or else your own. Its text: the name on its own line; x, y, width and height of the area;
-/// the number of curves; for each the number of samples, and the samples.
+/// The surface that `vidno grade` wants drawn, or else your own. Its text: the name on its own line; x, y, width and
+/// height of the area; the number of curves; for each the number of samples, and the samples.
 inline Surface surface_to_draw(const Surface& own) {
     const std::string file = told_by_grade("VIDNO_SURFACE");
     if (file.empty()) return own;
@@ -153,7 +156,8 @@ enum class Precision { double_precision, single_precision };
 /// The cases of a window in Warnock's algorithm.
 enum class Case { empty, surrounded, pixel, single, split };
 
-/// The corners of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper left on the screen.
+/// The corners of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper
+/// left on the screen.
 enum class Corner { left_bottom, left_top, right_bottom, right_top };
 
 /// A row, a column, or another number that must be whole: C++ would cut y + 0.5 down to y in silence.
@@ -316,8 +320,8 @@ protected:
         return false;
     }
 
-    /// Makes sure that a procedure runs: if it does not, it is called now, at that line. False, with a complaint, while a procedure that it
-    /// called has not reported its result.
+    /// Makes sure that a procedure runs: if it does not, it is called now, at that line. False, with a complaint, while
+    /// a procedure that it called has not reported its result.
     bool run(Procedure procedure, const char* callers_line = "") {
         static const struct {
             const char *name, *result;
@@ -565,7 +569,8 @@ public:
         const Window window{x, y, width, height};
         if (!is_window("pop", window)) return;
         if (stack_.empty() || !same(stack_.back().window, window)) {
-            // A program with a queue takes the window that has waited longest; the trace has a stack and pushes it again.
+            // A program with a queue takes the window that has waited longest; the trace has a stack and pushes it
+            // again.
             const auto is_it = [&](const ActiveWindow& each) { return same(each.window, window); };
             const bool waits = std::any_of(stack_.begin(), stack_.end(), is_it);
             if (!waits) complain("not the window on top of AW: the trace pushes it first");
@@ -1218,7 +1223,8 @@ public:
         if (looks("height", x))
             tell(Detail::signs, "height", "V1", "x", x.value, "y", y, "upper", upper, "lower", lower);
     }
-    /// Result of Visibility: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 both of the first two.
+    /// Result of Visibility: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 both of
+    /// the first two.
     void visibility(Whole column, int flag) {
         const int x = column.value;
         if (!is_on_column("visibility", column)) return;

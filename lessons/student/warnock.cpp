@@ -1,5 +1,5 @@
-// A skeleton for Warnock's algorithm, with the stack of windows and the place of each call of `trace`. You write the procedures. Without
-// them the program treats every window as empty, and `vidno grade` says so.
+// A skeleton for Warnock's algorithm, with the stack of windows and the place of each call of `trace`. You write the
+// procedures. Without them the program treats every window as empty, and `vidno grade` says so.
 //
 //     warnock [windows | polygons | signs]     writes warnock.jsonl
 #include "example.h"
@@ -29,8 +29,8 @@ struct Summary {
 class Warnock {
 public:
     Warnock(const Scene& scene, WarnockTrace& trace) : scene_(scene), trace_(trace) {
-        // InitializePolygon: the plane of each polygon, from all of its vertices. A polygon seen edge-on does not take part.
-        // trace.plane(i, a, b, c, d)
+        // InitializePolygon: the plane of each polygon, from all of its vertices. A polygon seen edge-on does not take
+        // part. trace.plane(i, a, b, c, d)
         Window whole{double(scene.area.x), double(scene.area.y), 1, {}};
         while (whole.size < scene.area.width || whole.size < scene.area.height) whole.size *= 2;
         for (int i = 0; i < int(scene.polygons.size()); ++i) whole.polygons.push_back({i, false});
@@ -54,8 +54,8 @@ private:
         trace_.push(window.x, window.y, window.size, window.size);
     }
 
-    /// W6 to W13. Here is only W7; the other cases are yours: Case::surrounded, Case::pixel, Case::single and Case::split, which pushes
-    /// the four parts.
+    /// W6 to W13. Here is only W7; the other cases are yours: Case::surrounded, Case::pixel, Case::single and
+    /// Case::split, which pushes the four parts.
     void show(Window& window) {
         const Summary found = process_window(window);
         if (found.count == 0) {
@@ -79,8 +79,8 @@ private:
     //     PointColor(point)         surround and depth of each polygon, compare, nearest; the result: color
     //     Depth(polygon, point)     depth
     //     SurroundTest              orient for each edge; the result: surround
-    //     PolygonClip               clip_begin; for each side clip_side, clip_sign, clip_cross, clip_keep, clip_drop, clip_list;
-    //                               the result: clip_result
+    //     PolygonClip               clip_begin; for each side clip_side, clip_sign, clip_cross, clip_keep, clip_drop,
+    //                               clip_list; the result: clip_result
     //     FillPolygon               row for each row; the result: draw
 
     void fill(const Window& window, Color color) {

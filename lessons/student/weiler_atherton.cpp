@@ -1,5 +1,5 @@
-// A skeleton for Weiler and Atherton's algorithm, with the stack of lists and the place of each call of `trace`. You write the
-// procedures. Without them the program shows no polygon, and `vidno grade` says so.
+// A skeleton for Weiler and Atherton's algorithm, with the stack of lists and the place of each call of `trace`. You
+// write the procedures. Without them the program shows no polygon, and `vidno grade` says so.
 //
 //     weiler_atherton [windows | polygons | signs]     writes weiler_atherton.jsonl
 #include "example.h"
@@ -19,8 +19,8 @@ public:
     }
 
 private:
-    /// WA1 and WA2: the part of each polygon in the area, with `cut_to_area`. A polygon seen edge-on does not take part. Polygons that
-    /// pierce each other are split along the line in which their planes meet.
+    /// WA1 and WA2: the part of each polygon in the area, with `cut_to_area`. A polygon seen edge-on does not take
+    /// part. Polygons that pierce each other are split along the line in which their planes meet.
     std::vector<Piece> parts_in_area(const Scene&) { return {}; }
 
     /// DepthSort: by the greatest depth, the nearest first.
@@ -30,7 +30,8 @@ private:
     ///     for each piece but the first: clipped, or beside
     ///     push for the list of the parts outside
     ///     RemoveBehind: behind for each part inside that is not ground; the result: nearer_ones
-    ///     show for the first piece if nothing is nearer; otherwise push for the nearer parts, with that piece as the ground
+    ///     show for the first piece if nothing is nearer
+    ///     otherwise push for the nearer parts, with that piece as the ground
     void clip(const std::vector<Piece>&) {}
 
     // Yours, too: PaintRegions     row for each row of a visible region; the result: paint

@@ -1,5 +1,5 @@
-// A skeleton for the Z-buffer with an active edge list, with the place of each call of `trace`. You write the procedures. Without them the
-// program shows no polygon, and `vidno grade` says so.
+// A skeleton for the Z-buffer with an active edge list, with the place of each call of `trace`. You write the
+// procedures. Without them the program shows no polygon, and `vidno grade` says so.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl
 #include "example.h"

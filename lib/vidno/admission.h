@@ -1,18 +1,18 @@
 /// Admission: does a scene satisfy what every procedure assumes? Decided exactly for the given doubles.
 ///
 /// An admitted polygon is finite, has at least three vertices, and is planar. Seen from the viewer it is convex and
-/// winds around once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
-/// admitted whatever the order of their vertices, since they show nothing and always lie in a plane.
+/// winds around once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer)
+/// are admitted whatever the order of their vertices, since they show nothing and always lie in a plane.
 ///
 /// Planar      no vertex is farther than 2^-40 of the extent from the plane of Newell's sum about the first vertex
 ///             (warnock/initialize_polygon.h). Triangles always are.
-/// Convex      the outline goes once around the convex hull of its vertices. No vertex is farther than 2^-40 of the extent from
-///             the side of the hull that the outline follows there, and along a side it never goes back by more than that.
-///             So neither the vertex at which an outline starts nor its direction matters.
-/// Rounding    an outline that is convex by this rule alone is replaced by the corners of its hull. One that is exactly convex
-///             stays as it is: all its turns have one sign, and the direction of its edges, either "to the right or straight
-///             down" or the opposite, flips exactly twice. (Each winding flips it twice, and an edge that runs back on
-///             itself forces a turn of the other sign.)
+/// Convex      the outline goes once around the convex hull of its vertices. No vertex is farther than 2^-40 of the
+///             extent from the side of the hull that the outline follows there, and along a side it never goes back by
+///             more than that. So neither the vertex at which an outline starts nor its direction matters.
+/// Rounding    an outline that is convex by this rule alone is replaced by the corners of its hull. One that is exactly
+///             convex stays as it is: all its turns have one sign, and the direction of its edges, either "to the right
+///             or straight down" or the opposite, flips exactly twice. (Each winding flips it twice, and an edge that
+///             runs back on itself forces a turn of the other sign.)
 /// Extent      the longest side of the box around the polygon.
 /// Arithmetic  CGAL's filtered orientation for the turns; for the distances intervals first, rationals where these
 ///             cannot decide. No coordinate overflows or underflows into a decision.
@@ -52,7 +52,8 @@ inline bool is_edge_on(const Vertices& vertices) {
 
 }  // namespace admission
 
-/// Checks all but the range of depth; sets edge_on and drops vertices where only rounding keeps the outline from being convex.
+/// Checks all but the range of depth; sets edge_on and drops vertices where only rounding keeps the outline from being
+/// convex.
 inline PolygonAdmission admit_shape(ScenePolygon& polygon) {
     auto& vertices = polygon.vertices;
     if (vertices.size() < 3) return {Admission::too_few_vertices};

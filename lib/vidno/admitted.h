@@ -1,5 +1,5 @@
-/// Admitted: a scene, or curves, that the procedures can run on. Also the results of admitting one polygon (admission.h) and of
-/// looking at one through a camera (look.h).
+/// Admitted: a scene, or curves, that the procedures can run on. Also the results of admitting one polygon
+/// (admission.h) and of looking at one through a camera (look.h).
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace vidno {
 
-/// A value that satisfies what every procedure assumes. Only `admit` makes one, and nothing changes it: change a copy of the value
-/// and admit that.
+/// A value that satisfies what every procedure assumes. Only `admit` makes one, and nothing changes it: change a copy
+/// of the value and admit that.
 template <class Checked>
 class Admitted {
 public:
@@ -35,8 +35,8 @@ private:
 
 using AdmittedScene = Admitted<Scene>;
 
-/// Checks a scene (include admission.h, which needs CGAL) or curves (floating_horizon/curves.h), which may change by rounding only.
-/// Throws std::invalid_argument, which says what is wrong with which part.
+/// Checks a scene (include admission.h, which needs CGAL) or curves (floating_horizon/curves.h), which may change by
+/// rounding only. Throws std::invalid_argument, which says what is wrong with which part.
 template <class Value>
 Admitted<Value> admit(Value value) {
     make_admissible(value);

@@ -3,8 +3,9 @@
 /// The world is right-handed. In clip space the view volume is -w <= x, y, z <= w with w > 0; z = w at the near plane
 /// and -w at the far one, so that the greater z is nearer, as everywhere in vidno.
 ///
-/// Polygons are clipped by Sutherland and Hodgman's method against the six sides in turn, before the division, so that no
-/// vertex behind the eye is divided. A new vertex gets the side's coordinate exactly; z is clamped to [-1, 1] against rounding.
+/// Polygons are clipped by Sutherland and Hodgman's method against the six sides in turn, before the division, so that
+/// no vertex behind the eye is divided. A new vertex gets the side's coordinate exactly; z is clamped to [-1, 1]
+/// against rounding.
 #pragma once
 
 #include <algorithm>
@@ -129,7 +130,8 @@ inline std::vector<glm::dvec4> clip_to_view_volume(std::vector<glm::dvec4> polyg
     return polygon;
 }
 
-/// The visible part of a convex polygon of the world, in screen space; empty if nothing is visible or doubles cannot hold it.
+/// The visible part of a convex polygon of the world, in screen space; empty if nothing is visible or doubles cannot
+/// hold it.
 inline std::vector<glm::dvec3> seen_by(const View& view, const std::vector<glm::dvec3>& world) {
     std::vector<glm::dvec4> clipped;
     for (const glm::dvec3& vertex : world) clipped.push_back(view.to_clip * glm::dvec4(vertex, 1));

@@ -1,9 +1,9 @@
 /// Corrected: Warnock's algorithm and the Z-buffer with the errors of the printed text corrected. The default set.
 ///
-/// A procedure set is an object whose functions are the procedures; a run calls them through its set. Another set derives
-/// from this one and hides the functions it changes: a whole procedure, or one of the rules below, in which editions of the
-/// text differ. trace/FORMAT.md and `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes/ has the
-/// usual mistakes.
+/// A procedure set is an object whose functions are the procedures; a run calls them through its set. Another set
+/// derives from this one and hides the functions it changes: a whole procedure, or one of the rules below, in which
+/// editions of the text differ. trace/FORMAT.md and `vidno methods` name the editions; printed.h lists the defects
+/// (X-...), mistakes/ has the usual mistakes.
 #pragma once
 
 #include <array>
@@ -58,7 +58,8 @@ struct Corrected : CorrectedPolygons,
     /// PW7: does a polygon that is nearest at k corners invalidate the surrounding one found before it?
     static bool uncovers(int k) { return k > 0; }
 
-    /// PL2: the corners of a window, in the order in which a point with a positive cross product to a side lies outside.
+    /// PL2: the corners of a window, in the order in which a point with a positive cross product to a side lies
+    /// outside.
     template <class K>
     static auto corners_around(const K& kernel, const Window& window) {
         return std::array{kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
@@ -106,7 +107,8 @@ struct Corrected : CorrectedPolygons,
     static bool shows(const auto& kernel, const auto& depth, const auto& stored, const Pixel& pixel) {
         return kernel.nearer(depth, stored, pixel);
     }
-    /// L5 to L7 for the pixels of a line together, if the kernel can. Has the rule's name, so that a set with another rule hides both.
+    /// L5 to L7 for the pixels of a line together, if the kernel can. Has the rule's name, so that a set with another
+    /// rule hides both.
     static void shows(const auto& kernel, const auto& plane, const auto& depths, int first, int end) requires requires {
         kernel.store_nearer(plane, depths, first, end);
     }

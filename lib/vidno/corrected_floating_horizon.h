@@ -1,5 +1,5 @@
-/// CorrectedFloatingHorizon: the floating horizon with the errors of the printed text corrected. The default set for curves;
-/// corrected.h explains sets.
+/// CorrectedFloatingHorizon: the floating horizon with the errors of the printed text corrected. The default set for
+/// curves; corrected.h explains sets.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,8 @@ struct CorrectedFloatingHorizon : FloatingHorizon, SideEdge, Visibility, Horizon
         return {{area, std::nullopt}, {area, std::nullopt}};
     }
 
-    /// FH4: the horizons that a curve is compared with: a copy made before the curve, so that it never meets what it raised itself.
+    /// FH4: the horizons that a curve is compared with: a copy made before the curve, so that it never meets what it
+    /// raised itself.
     static const auto& horizons_before(const auto& horizons, auto& kept) { return kept.emplace(horizons); }
 
     /// FH5: the column of a segment that is examined after another.

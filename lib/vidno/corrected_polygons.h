@@ -1,5 +1,5 @@
-/// CorrectedPolygons: what all methods for polygons share: how they read polygons from the scene, and their depths. It is part
-/// of the sets in corrected.h and corrected_weiler_atherton.h.
+/// CorrectedPolygons: what all methods for polygons share: how they read polygons from the scene, and their depths. It
+/// is part of the sets in corrected.h and corrected_weiler_atherton.h.
 #pragma once
 
 #include "warnock/depth.h"

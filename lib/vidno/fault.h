@@ -1,5 +1,5 @@
-/// Fault: why a procedure cannot continue. A printed procedure may read past a list, divide by zero or loop without end. One that
-/// constructs points in rounded numbers may not terminate.
+/// Fault: why a procedure cannot continue. A printed procedure may read past a list, divide by zero or loop without
+/// end. One that constructs points in rounded numbers may not terminate.
 #pragma once
 
 #include <string_view>

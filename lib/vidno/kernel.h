@@ -1,7 +1,7 @@
 /// Kernel: the only place where arithmetic is chosen.
 ///
-/// A procedure sees only values that compare, and the operations below. The kernel determines what a comparison costs and
-/// whether it is certain. kernels/ holds the kernels; machine.h is the simplest to read.
+/// A procedure sees only values that compare, and the operations below. The kernel determines what a comparison costs
+/// and whether it is certain. kernels/ holds the kernels; machine.h is the simplest to read.
 #pragma once
 
 #include <concepts>
@@ -51,7 +51,8 @@ struct Box {
     Number xmin, ymin, xmax, ymax;
 };
 
-/// Whether to select a as the lesser of two numbers. If they are equal, either will do: a judge does not list that as a coincidence.
+/// Whether to select a as the lesser of two numbers. If they are equal, either will do: a judge does not list that as a
+/// coincidence.
 template <class Number>
 bool select_lesser(const Number& a, const Number& b) {
     return a < b;
@@ -95,14 +96,15 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     // Called for every polygon, before any depth.
     { own.plane(computed, vertices) } -> std::same_as<typename K::Plane>;
 
-    // The depth of a plane, and "no polygon yet", which is farther than every depth. Two depths are compared at one common point.
+    // The depth of a plane, and "no polygon yet", which is farther than every depth. Two depths are compared at one
+    // common point.
     { kernel.depth(plane, point) } -> std::same_as<typename K::Depth>;
     { kernel.finite(depth) } -> std::same_as<typename K::Interpolated>;  // of a plane's depth
     { kernel.farthest() } -> std::same_as<typename K::Depth>;
     { kernel.nearer(depth, depth, point) } -> std::same_as<bool>;
 
-    // A depth interpolated between vertices: nothing; a plane's at a pixel, stepped along the row; and as a cell of the Z-buffer
-    // holds it, which is compared.
+    // A depth interpolated between vertices: nothing; a plane's at a pixel, stepped along the row; and as a cell of the
+    // Z-buffer holds it, which is compared.
     { kernel.zero() } -> std::same_as<typename K::Interpolated>;
     requires requires(decltype(kernel.to_step(interpolated, plane, Pixel{})) stepped) {
         { kernel.nearer(kernel.to_store(stepped), depths.row(0)[0], Pixel{}) } -> std::same_as<bool>;
@@ -114,23 +116,24 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     { kernel.outside(box, window) } -> std::same_as<bool>;
     { kernel.inside(box, window) } -> std::same_as<bool>;
 
-    // A polygon while it is clipped. kernel.meet(p, q, cp, cq) is the point where the segment from p to q meets a side of the
-    // window; cp and cq, of opposite sign, are the cross products of its ends with that side.
+    // A polygon while it is clipped. kernel.meet(p, q, cp, cq) is the point where the segment from p to q meets a side
+    // of the window; cp and cq, of opposite sign, are the cross products of its ends with that side.
     { kernel.outline(vertices) } -> std::same_as<typename K::Outline>;
     kernel.cross(point, outline.front(), point);
 
-    // The first pixel of low <= i < end whose centre is at or after the value (end if there is none), and the last whose centre
-    // is at or before it (low - 1 if there is none). A NaN gives low and low - 1: an empty range.
+    // The first pixel of low <= i < end whose centre is at or after the value (end if there is none), and the last
+    // whose centre is at or before it (low - 1 if there is none). A NaN gives low and low - 1: an empty range.
     { kernel.first_centre(coordinate, 0, 1) } -> std::same_as<int>;
     { kernel.last_centre(coordinate, 0, 1) } -> std::same_as<int>;
 
-    // The rows low <= row < end whose centres lie between the ends of a convex outline, and the outline's columns on a row.
+    // The rows low <= row < end whose centres lie between the ends of a convex outline, and the outline's columns on a
+    // row.
     { kernel.rows_of(outline, 0, 1) } -> std::same_as<Rows>;
     { kernel.columns_of(outline, 0, 0, 1).first } -> std::convertible_to<int>;
     { kernel.columns_of(vertices, 0, 0, 1).first } -> std::convertible_to<int>;
 
-    // On a row: first_centre and last_centre for the end of a span; whether two ends are at one place; and the order of two
-    // active edges, by x and then by dx. An end of a span is an active edge or a vertex.
+    // On a row: first_centre and last_centre for the end of a span; whether two ends are at one place; and the order of
+    // two active edges, by x and then by dx. An end of a span is an active edge or a vertex.
     { kernel.first_column(vertex, 0, 0, 1) } -> std::same_as<int>;
     { kernel.last_column(vertex, 0, 0, 1) } -> std::same_as<int>;
     { kernel.same_place(vertex, vertex, 0) } -> std::same_as<bool>;

@@ -1,7 +1,8 @@
 /// Look: from polygons of the world to admitted polygons of a scene.
 ///
-/// In the world there is no viewer yet, so a polygon is checked as seen along the axis nearest to its normal. Its image under the
-/// camera is checked again. If rounding has left it off-plane or reflex beyond the tolerance, it is cut into triangles.
+/// In the world there is no viewer yet, so a polygon is checked as seen along the axis nearest to its normal. Its image
+/// under the camera is checked again. If rounding has left it off-plane or reflex beyond the tolerance, it is cut into
+/// triangles.
 #pragma once
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 
 namespace vidno {
 
-/// The two methods of the course, the Warnock family (family/family.h), and Weiler and Atherton's algorithm, which gives more than a
-/// picture (weiler_atherton.h).
+/// The two methods of the course, the Warnock family (family/family.h), and Weiler and Atherton's algorithm, which
+/// gives more than a picture (weiler_atherton.h).
 enum class Method : unsigned char {
     warnock,
     zbuffer,

@@ -1,9 +1,10 @@
-/// Printed: Warnock's algorithm and the Z-buffer as the course text prints them, with its errors and the losses of the scan.
+/// Printed: Warnock's algorithm and the Z-buffer as the course text prints them, with its errors and the losses of the
+/// scan.
 ///
-/// Each difference has the id that `trace/listings` and the lessons use. Where the text gives fractions no meaning in pixels, we
-/// choose one: a fractional (x, y) is the pixel that holds it, a fractional window has the pixels whose centres lie in its
-/// half-open rectangle. A run always ends: where the text reads past a list, divides by zero in numbers without infinities, or
-/// would step forever, the run ends with a fault.
+/// Each difference has the id that `trace/listings` and the lessons use. Where the text gives fractions no meaning in
+/// pixels, we choose one: a fractional (x, y) is the pixel that holds it, a fractional window has the pixels whose
+/// centres lie in its half-open rectangle. A run always ends: where the text reads past a list, divides by zero in
+/// numbers without infinities, or would step forever, the run ends with a fault.
 #pragma once
 
 #include "corrected.h"
@@ -35,7 +36,8 @@ struct Printed : Corrected {
     /// X-W1: a "not" is lost: surrounding polygons leave, others never.
     static bool discards(bool surrounding, bool outside) { return surrounding && outside; }
 
-    /// X-W3: a polygon that is nearest at all corners does not reset hasSurround, even if it does not surround the window.
+    /// X-W3: a polygon that is nearest at all corners does not reset hasSurround, even if it does not surround the
+    /// window.
     static bool uncovers(int k) { return 0 < k && k < 4; }
 
     /// X-W7: the product of two small numbers underflows to 0.

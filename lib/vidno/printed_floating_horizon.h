@@ -1,4 +1,5 @@
-/// PrintedFloatingHorizon: the floating horizon as the course text prints it. Each difference has its id, as in printed.h.
+/// PrintedFloatingHorizon: the floating horizon as the course text prints it. Each difference has its id, as in
+/// printed.h.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace vidno {
 
 struct PrintedFloatingHorizon : CorrectedFloatingHorizon {
-    /// X-H3: the horizons begin at the sides of the screen, in the text 0 and its height, where y grows upward. Beyond a side the higher
-    /// of two curves may be hidden.
+    /// X-H3: the horizons begin at the sides of the screen, in the text 0 and its height, where y grows upward. Beyond
+    /// a side the higher of two curves may be hidden.
     template <class K>
     static Horizons<K> first_horizons(const K& kernel, const Area& area) {
         return {{area, kernel.number(area.bottom())}, {area, kernel.number(area.y)}};

@@ -1,7 +1,7 @@
 /// Run: one execution of a method: its procedure set, kernel and visitor, the polygons, and the picture so far.
 ///
-/// A procedure calls another through the run and names its own line. The set decides which text is executed, and the call reports
-/// the result to the trace. So your own set is traced like ours.
+/// A procedure calls another through the run and names its own line. The set decides which text is executed, and the
+/// call reports the result to the trace. So your own set is traced like ours.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
 /// Scene: convex planar polygons in screen space, and the area of pixels that shows them.
 ///
-/// x grows to the right, y downward, z towards the viewer: the greater z is nearer. Pixel (i, j) is the square from (i, j) to
-/// (i + 1, j + 1); its centre decides its colour.
+/// x grows to the right, y downward, z towards the viewer: the greater z is nearer. Pixel (i, j) is the square from (i,
+/// j) to (i + 1, j + 1); its centre decides its colour.
 #pragma once
 
 #include <cassert>

@@ -1,7 +1,8 @@
 /// Snap: a scene snapped to a grid of sub-pixels, as the kernel `grid` needs it and as hardware does it.
 ///
-/// A polygon with more than three vertices, any of which moves, is first cut into a fan, since snapping may leave it neither planar
-/// nor convex. x and y are rounded to the nearest multiple of 2^-K pixel, z to the nearest of 2^-24; ties go away from 0.
+/// A polygon with more than three vertices, any of which moves, is first cut into a fan, since snapping may leave it
+/// neither planar nor convex. x and y are rounded to the nearest multiple of 2^-K pixel, z to the nearest of 2^-24;
+/// ties go away from 0.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 /// Trace: the visitor that hears a run, one call for each event, in the procedures' own words.
 ///
 /// Every event takes the label of the listing line that caused it, and values that the run already has. The recorder
-/// (trace/run/recorder.h) turns them into text. trace/FORMAT.md explains each event. A visitor is passed by value and may hold a
-/// pointer. Your own visitor hides the events that it wants to hear:
+/// (trace/run/recorder.h) turns them into text. trace/FORMAT.md explains each event. A visitor is passed by value and
+/// may hold a pointer. Your own visitor hides the events that it wants to hear:
 ///
 ///     struct CountSplits : NoTrace {
 ///         int* splits;

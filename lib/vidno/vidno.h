@@ -16,11 +16,12 @@
 
 namespace vidno {
 
-/// The picture that a method paints by the procedures of the set; the trace hears each step. A fault of the procedures, which
-/// only the printed text has, ends the run and is reported to the trace; the picture is then what was painted so far. Warnock's
-/// algorithm does not split a window whose side is `smallest_window`, in pixels.
+/// The picture that a method paints by the procedures of the set; the trace hears each step. A fault of the procedures,
+/// which only the printed text has, ends the run and is reported to the trace; the picture is then what was painted so
+/// far. Warnock's algorithm does not split a window whose side is `smallest_window`, in pixels.
 ///
-/// Throws std::invalid_argument if the method is not one of the set's `methods`, or the smallest window is smaller than a pixel.
+/// Throws std::invalid_argument if the method is not one of the set's `methods`, or the smallest window is smaller than
+/// a pixel.
 template <class Set = Corrected, Kernel K, class Trace = NoTrace>
 Picture render(Method method, const AdmittedScene& scene, K kernel, Trace trace = {}, double smallest_window = 1,
                Set set = {}) {

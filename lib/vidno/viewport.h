@@ -2,8 +2,8 @@
 ///
 /// x' = (Wx/2) x + (Wcx + Wx/2) w     y' = -(Wy/2) y + (Wcy + Wy/2) w     z' = z
 ///
-/// y changes its sign, since it grows downward on the screen: y = 1 is row Wcy. The printed text moves y by Wcy - Wy/2, which puts
-/// the picture above the area.
+/// y changes its sign, since it grows downward on the screen: y = 1 is row Wcy. The printed text moves y by Wcy - Wy/2,
+/// which puts the picture above the area.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,5 +1,5 @@
-/// Weiler and Atherton's algorithm: which parts of the polygons are visible, by the procedures of a set in the arithmetic of a
-/// kernel.
+/// Weiler and Atherton's algorithm: which parts of the polygons are visible, by the procedures of a set in the
+/// arithmetic of a kernel.
 ///
 ///     const auto visible = vidno::visible_regions(vidno::admit(scene), vidno::Double{});
 ///     for (const auto& region : visible.regions) ...
@@ -11,8 +11,8 @@
 
 namespace vidno {
 
-/// The loops of a region, which is on the positive side of each edge: (q - p) x (v - p) > 0 for a v next to the edge from p to q.
-/// Loops that bound holes have the opposite orientation.
+/// The loops of a region, which is on the positive side of each edge: (q - p) x (v - p) > 0 for a v next to the edge
+/// from p to q. Loops that bound holes have the opposite orientation.
 template <class Number>
 using Outlines = std::vector<std::vector<Point<Number>>>;
 

@@ -11,8 +11,8 @@
 
 namespace vidno {
 
-/// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at its own depth. Together they have
-/// `overdraw` times the square's area.
+/// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at its own depth. Together they
+/// have `overdraw` times the square's area.
 inline AdmittedScene random_triangles(int count, int side, double overdraw) {
     std::uint64_t state = 1;
     const auto random = [&] {  // 0 <= r < 1; Knuth's MMIX generator, whose high bits are good
@@ -38,7 +38,8 @@ inline AdmittedScene random_triangles(int count, int side, double overdraw) {
     return admit(std::move(scene));
 }
 
-/// `count` triangles in 64 x 64 pixels, each with random corners in a box of 10 x 10 and at random depths: many pierce each other.
+/// `count` triangles in 64 x 64 pixels, each with random corners in a box of 10 x 10 and at random depths: many pierce
+/// each other.
 inline AdmittedScene small_triangles(int count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<> place(0, 54), within(0, 10), depth(-1, 1);

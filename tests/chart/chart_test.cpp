@@ -84,8 +84,9 @@ TEST_CASE("Chart: other methods that take the scene, under each kernel") {
 
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
     using enum Operation;
-    // The box test, twice; four corners against each edge. To the right of the centre (8, 8) one edge crosses the ray, the one from
-    // (17, -1) to (17, 17): only this edge and the left one pass from one side of the ray's line to the other.
+    // The box test, twice; four corners against each edge. To the right of the centre (8, 8) one edge crosses the ray,
+    // the one from (17, -1) to (17, 17): only this edge and the left one pass from one side of the ray's line to the
+    // other.
     CHECK(examined(whole_quad(), Method::warnock_full, "double").operations ==
           counted({{windows, 1}, {boxes, 2}, {orientations, 4 * 4 + 2}}));
     // The quad's corners are in the octants 0, 2, 4 and 6: nothing is split.
@@ -115,7 +116,8 @@ TEST_CASE("Operations: a window that a quad surrounds") {
 }
 
 TEST_CASE("Operations: a quad scanned row by row") {
-    // The depths of four vertices; 16 rows of 16 pixels; two edges that enter, and are stepped from row to row 15 times.
+    // The depths of four vertices; 16 rows of 16 pixels; two edges that enter, and are stepped from row to row 15
+    // times.
     using enum Operation;
     const auto expected = counted({{depths, 4}, {comparisons, 256}, {rows, 16}, {edges, 2 + 2 * 15}});
     for (const auto* kernel : {"float", "bits:12", "depth:8", "filtered", "grid:4", "exact"}) {
@@ -134,8 +136,8 @@ TEST_CASE("Area: half of a half-covered pixel is wrong") {
 }
 
 TEST_CASE("Area: what of each pixel shows the colour that it has not, where an outline is slanted") {
-    // The slanted edge goes from (0, 1) to (3, 0) and covers 5/6, 3/6 and 1/6 of the three pixels. The centre of the second lies on it,
-    // so the first two are painted and the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
+    // The slanted edge goes from (0, 1) to (3, 0) and covers 5/6, 3/6 and 1/6 of the three pixels. The centre of the
+    // second lies on it, so the first two are painted and the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
     const AdmittedScene scene = SceneBuilder({0, 0, 3, 1}).polygon({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}).build();
     CHECK(Examiner(scene).area_of_pixels() == doctest::Approx(5 / 6.).epsilon(1e-15));
     // All white: 5/6 + 3/6 + 1/6.
@@ -159,8 +161,8 @@ TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and
 
 TEST_CASE("Operations: Weiler and Atherton's algorithm on one quad") {
     using enum Operation;
-    // Cut to the area: its four edges lie outside, and those of the area inside it (which are not reported). Its greatest depth is found
-    // at four vertices; a list of one; 16 rows, each examined above and below its centres.
+    // Cut to the area: its four edges lie outside, and those of the area inside it (which are not reported). Its
+    // greatest depth is found at four vertices; a list of one; 16 rows, each examined above and below its centres.
     CHECK(examined(whole_quad(), Method::weiler_atherton, "double").operations ==
           counted({{windows, 1}, {depths, 4}, {orientations, 4}, {rows, 32}}));
 }
@@ -182,8 +184,8 @@ TEST_CASE("Depth error: depth 0 in a Z-buffer of two bits") {
 }
 
 TEST_CASE("Depth error: a wall that is snapped to another place is as far off as its slope says") {
-    // z = x / 64 - 1/256 at x = 0.25: on a grid of 1/2 pixel, 0.25 and 31.75 go up to 0.5 and 32, z stays. So the snapped plane is
-    // lower by 0.25 / 64 everywhere, which is exact in doubles.
+    // z = x / 64 - 1/256 at x = 0.25: on a grid of 1/2 pixel, 0.25 and 31.75 go up to 0.5 and 32, z stays. So the
+    // snapped plane is lower by 0.25 / 64 everywhere, which is exact in doubles.
     const auto z = [](double x) { return x / 64 - 1 / 256.; };
     const AdmittedScene scene =
         SceneBuilder({0, 0, 32, 32}).polygon({{0.25, -1, z(0.25)}, {31.75, -1, z(31.75)}, {0.25, 33, z(0.25)}}).build();

@@ -19,8 +19,9 @@ using test::without_places;
 
 namespace {
 
-/// Three level curves over 33 columns, in rows from below at 14, 10 and 6. The middle one has a peak at column 10, two columns to
-/// each side and 6 rows high. It hides the last curve where 10 - 6 + 3 |x - 10| < 6, which is over column 10 alone.
+/// Three level curves over 33 columns, in rows from below at 14, 10 and 6. The middle one has a peak at column 10, two
+/// columns to each side and 6 rows high. It hides the last curve where 10 - 6 + 3 |x - 10| < 6, which is over column 10
+/// alone.
 const std::string peak = R"({"format":"vidno-surface/1","name":"Peak","window":{"x":0,"y":0,"width":33,"height":16},)"
                          R"("function":"z == 1 ? max(0, 6 - 3 * abs(x - 10)) : 0","x":[0,32],"z":[2,0],"curves":3,)"
                          R"("samples":9,"view":{"origin":[0,14],"across":[32,0],"back":[0,-4],"up":1}})";
@@ -50,8 +51,8 @@ FloatingHorizonOperationCounts counted(std::uint64_t visibilities, std::uint64_t
 
 TEST_CASE("Chart of a surface: each kernel in each edition that it runs, on the file's sampling and each other") {
     const auto ways = ways_to_draw(function_of(peak).surface);
-    // 2, 3, 5, 9, 17, 33 samples; 16, 8, ..., 1/16 pixel; and as they are: under float, double, filtered, exact, and as printed
-    // under all of these but filtered.
+    // 2, 3, 5, 9, 17, 33 samples; 16, 8, ..., 1/16 pixel; and as they are: under float, double, filtered, exact, and as
+    // printed under all of these but filtered.
     CHECK(ways.size() == (6 + 9 + 1) * (4 + 3));
     CHECK(turns_of(function_of(peak)) == ways.size() * 6);
     std::vector<double> samples;
@@ -74,15 +75,16 @@ TEST_CASE("Chart of a surface: a peak that falls between two samples") {
         CHECK(missed.found.height == 6);
         CHECK_MESSAGE(missed.found.wrong_columns == 1, "the last curve over column 10");
         CHECK_MESSAGE(missed.found.wrong_decisions == 0, "every decision is right for these samples");
-        // Everything is visible: each curve has 33 columns and 32 steps between them, and Horizon covers both columns of each step.
+        // Everything is visible: each curve has 33 columns and 32 steps between them, and Horizon covers both columns
+        // of each step.
         CHECK(missed.found.operations == counted(3 * 33, 3 * 32 * 2, 0, 0));
 
         const auto found = run_in(chart, kernel, Edition::corrected, SamplingKnob::samples, 33);
         CHECK(found.cost.samples == 3 * 33);
         CHECK(found.found.height == 0);
         CHECK(found.found.wrong_columns == 0);
-        // 30 steps of the last curve are visible. On each of the two beside column 10 it meets the horizon: Horizon covers one column,
-        // Intersection examines one and computes a crossing.
+        // 30 steps of the last curve are visible. On each of the two beside column 10 it meets the horizon: Horizon
+        // covers one column, Intersection examines one and computes a crossing.
         CHECK(found.found.operations == counted(3 * 33, 2 * 64 + 30 * 2 + 2, 2, 2));
         CHECK(found.cost.operations == 99 + 190 + 2 + 2);
     }
@@ -105,8 +107,8 @@ TEST_CASE("Chart of a surface: a tolerance takes the samples that the function n
 
 TEST_CASE("Chart of a surface: as printed, only columns with samples are examined") {
     const SurfaceChart chart = charted(peak);
-    // Each curve has 9 columns, and 8 steps of 4 columns, each covering 5; both side edges of the second and third curve cover one column
-    // each.
+    // Each curve has 9 columns, and 8 steps of 4 columns, each covering 5; both side edges of the second and third
+    // curve cover one column each.
     const auto missed = run_in(chart, "exact", Edition::printed, std::nullopt);
     CHECK(missed.found.operations == counted(3 * 9, 3 * 8 * 5 + 4, 0, 0));
     CHECK(missed.found.wrong_columns == 1);

@@ -102,8 +102,8 @@ TEST_CASE("A number that drifted: right as it stands, wrong for the scene") {
 }
 
 TEST_CASE("Intersections: how far the computed one lies from the exact one") {
-    // From (0, 0) to (1, 3), cut where cp / (cp - cq) = 1/3: at (1/3, 1). The float nearest to 1/3 is 11184811 / 2^25, off by
-    // (3 * 11184811 - 2^25) / (3 * 2^25) = 1 / (3 * 2^25); times 3 that rounds to 1.
+    // From (0, 0) to (1, 3), cut where cp / (cp - cq) = 1/3: at (1/3, 1). The float nearest to 1/3 is 11184811 / 2^25,
+    // off by (3 * 11184811 - 2^25) / (3 * 2^25) = 1 / (3 * 2^25); times 3 that rounds to 1.
     Court court("float");
     const auto& kernel = court.kernel;
     const RunTimeNumber cp(1), cq(-2);

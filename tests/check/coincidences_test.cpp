@@ -1,5 +1,6 @@
-// The exact zeros that the list of decisions has for the Z-buffer and the floating horizon, against counts in rationals. The counts use
-// the scene and the picture rule. From a run they take at most its questions, never an answer or a number.
+// The exact zeros that the list of decisions has for the Z-buffer and the floating horizon, against counts in
+// rationals. The counts use the scene and the picture rule. From a run they take at most its questions, never an answer
+// or a number.
 
 #include <doctest/doctest.h>
 
@@ -35,8 +36,9 @@ Rational lowest_of(const Places& outline) {
     return std::max_element(outline.begin(), outline.end(), by_y)->second;
 }
 
-/// How many equal heights the Z-buffer finds as it lists the edges of a polygon: two for a level edge, and one more if it is a point; one
-/// for a lower end that is the lowest; and, in a stable insertion sort, one for each edge that is not the first of its height.
+/// How many equal heights the Z-buffer finds as it lists the edges of a polygon: two for a level edge, and one more if
+/// it is a point; one for a lower end that is the lowest; and, in a stable insertion sort, one for each edge that is
+/// not the first of its height.
 int equal_heights(const Places& outline) {
     const Rational lowest = lowest_of(outline);
     std::set<Rational> heights;
@@ -70,8 +72,8 @@ TEST_CASE("On 1,000 scenes the Z-buffer's zeros are pixel centres on outlines, v
         const AdmittedScene scene = scene_with_copies(random, i);
         const Area& area = scene->area;
 
-        // The centres at an end of a polygon on a row; the rows on whose centre line a vertex lies; and where a polygon is exactly as
-        // near as the nearest before it.
+        // The centres at an end of a polygon on a row; the rows on whose centre line a vertex lies; and where a polygon
+        // is exactly as near as the nearest before it.
         std::set<PolygonAtPixel> ends;
         std::set<PolygonOnRow> vertices;
         std::set<PolygonsAtPixel> ties;

@@ -1,4 +1,5 @@
-// FORMAT.md: which events have `exact` in a checked trace. It names them; each of them has it under every kernel and method.
+// FORMAT.md: which events have `exact` in a checked trace. It names them; each of them has it under every kernel and
+// method.
 
 #include <doctest/doctest.h>
 

@@ -348,8 +348,9 @@ TEST_CASE("Failures: halving a window stalls where there are no halves") {
 }
 
 TEST_CASE("Failures: windows along the line where two planes meet") {
-    // z = x / 16 and z = (11 - x) / 16 meet at x = 5 1/2. At each level the windows across that line are split into four:
-    // 1 + 4 (1 + 2 + 4 + 8) = 61 on 16 x 16 pixels; on 32 x 32 with the planes drawn twice as large, 61 + 4 * 16 = 125.
+    // z = x / 16 and z = (11 - x) / 16 meet at x = 5 1/2. At each level the windows across that line are split into
+    // four: 1 + 4 (1 + 2 + 4 + 8) = 61 on 16 x 16 pixels; on 32 x 32 with the planes drawn twice as large, 61 + 4 * 16
+    // = 125.
     const auto windows = [](int side) {
         const double s = side;
         const auto plane = [&](double left, double right) {
@@ -425,8 +426,9 @@ TEST_CASE("Failures: an empty list has no least element") {
 
 namespace {
 
-/// X-W10: every entry of APL has a third element I, whether its polygon is inside, which the parts of a window inherit. Once a polygon
-/// is inside a window, it meets only that window and its parts from then on: one mark for each polygon is enough.
+/// X-W10: every entry of APL has a third element I, whether its polygon is inside, which the parts of a window inherit.
+/// Once a polygon is inside a window, it meets only that window and its parts from then on: one mark for each polygon
+/// is enough.
 struct InsideInherited : Corrected {
     mutable std::set<int> inside;
 
@@ -452,8 +454,8 @@ struct PointColorFromOne : Corrected {
 }  // namespace
 
 TEST_CASE("Failures: an inherited mark for inside draws a polygon over its neighbours") {
-    // A and the nearer B are inside the area, so the area is split. Its lower right part, where B lies, is finished first. A alone is
-    // in the other three and extends beyond each of them: drawn whole, it covers B.
+    // A and the nearer B are inside the area, so the area is split. Its lower right part, where B lies, is finished
+    // first. A alone is in the other three and extends beyond each of them: drawn whole, it covers B.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, 0).quad(5, 5, 6, 6, .5).build();
     Picture without_b(scene->area, white);
     for (int y = 1; y < 7; ++y) {

@@ -1,5 +1,5 @@
-// The contents of the list of decisions, against hand calculations. coincidences_test.cpp compares its exact zeros with counts in
-// rationals.
+// The contents of the list of decisions, against hand calculations. coincidences_test.cpp compares its exact zeros with
+// counts in rationals.
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,8 @@ using namespace vidno;
 using namespace vidno::test;
 
 TEST_CASE("A square with its corners on pixel centres: the list names its coincidences and no others") {
-    // From (0.5, 0.5) to (2.5, 2.5) on 4 x 4 pixels: rows 0 to 2, whose left ends are the centre of column 0 and right ends that of 2.
+    // From (0.5, 0.5) to (2.5, 2.5) on 4 x 4 pixels: rows 0 to 2, whose left ends are the centre of column 0 and right
+    // ends that of 2.
     const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(.5, .5, 2.5, 2.5, .25).build();
     const Checked found = checked(scene, Method::zbuffer, "double");
     std::set<std::pair<int, int>> pixels;
@@ -30,8 +31,8 @@ TEST_CASE("A square with its corners on pixel centres: the list names its coinci
 }
 
 TEST_CASE("The list gives the operands of a wrong decision") {
-    // As a float 1/2 + 2^-30 is 1/2: the left end of the only row is the centre of column 0 by the float, and beyond it by the scene. There
-    // the floats are 2^-24 apart: the two numbers are 2^-30 / 2^-24 = 1/64 ulp from each other.
+    // As a float 1/2 + 2^-30 is 1/2: the left end of the only row is the centre of column 0 by the float, and beyond it
+    // by the scene. There the floats are 2^-24 apart: the two numbers are 2^-30 / 2^-24 = 1/64 ulp from each other.
     const AdmittedScene scene = SceneBuilder({0, 0, 4, 1}).quad(.5 + 0x1p-30, 0, 3, 1, .25).build();
     FindingList list(Procedure::z_buffer, scene->area, 0);
     const RunRequest request{Method::zbuffer, *kernel_named("float"), Edition::corrected, scene};
@@ -101,7 +102,8 @@ TEST_CASE("The list has the requested number of narrow decisions, and these are 
 }
 
 TEST_CASE("A constructed point half a pixel off is an error, and the report says at which step") {
-    // The edges of a sliver are nearly parallel to a side of the window: cut there, with 8 bits, they come out pixels away.
+    // The edges of a sliver are nearly parallel to a side of the window: cut there, with 8 bits, they come out pixels
+    // away.
     RandomScenes random(24);
     int off = 0;
     for (int i = 0; i < 200; i += thinning) {

@@ -1,5 +1,6 @@
-// The exact zeros of all kinds that the list of decisions has for Weiler and Atherton's algorithm, against a count in rationals. The count
-// uses the scene and nothing of a run. Its regions are sets of the cells into which all lines of a scene divide the plane.
+// The exact zeros of all kinds that the list of decisions has for Weiler and Atherton's algorithm, against a count in
+// rationals. The count uses the scene and nothing of a run. Its regions are sets of the cells into which all lines of a
+// scene divide the plane.
 
 #include <doctest/doctest.h>
 
@@ -40,10 +41,11 @@ struct Zeros {
     std::set<Rational> of_boxes;
     /// The y of a vertex, and of the middle of a piece of an edge.
     std::set<Rational> on_rays;
-    /// In PaintRegions: sides of boxes, too, those through a centre, the y of a vertex on a row of centres, and the x at which two edges
-    /// meet there.
+    /// In PaintRegions: sides of boxes, too, those through a centre, the y of a vertex on a row of centres, and the x
+    /// at which two edges meet there.
     std::set<Rational> at_painting;
-    /// Centres at the end of a visible region on its row, with two equally near polygons, and on the outline of an equally near one.
+    /// Centres at the end of a visible region on its row, with two equally near polygons, and on the outline of an
+    /// equally near one.
     Pixels at_ends, equally_near, on_outlines;
     /// Equal depths in DepthSort and in RemoveBehind, and parallel planes.
     int of_sort = 0, of_planes = 0, parallel_planes = 0;
@@ -240,8 +242,8 @@ private:
         return {std::move(in), std::move(out)};
     }
 
-    /// Vertices are known to be at one place if they have the same two lines, which must not be parallel. Each is compared with those
-    /// before it that are at other places; the last vertex of an outline comes first.
+    /// Vertices are known to be at one place if they have the same two lines, which must not be parallel. Each is
+    /// compared with those before it that are at other places; the last vertex of an outline comes first.
     void add_common(const CellRegion& subject, const CellRegion& clip_region) {
         std::vector<OutlineVertex> distinct;
         const auto add = [&](const OutlineVertex& vertex) {
@@ -266,8 +268,8 @@ private:
         }
     }
 
-    /// The vertices of an edge are known to be on its line. The line of the subject's edge is tested where it may meet an edge of the clip
-    /// region, that is, where the line of that edge meets the subject's edge.
+    /// The vertices of an edge are known to be on its line. The line of the subject's edge is tested where it may meet
+    /// an edge of the clip region, that is, where the line of that edge meets the subject's edge.
     void add_points_on_lines(const std::vector<OutlineEdge>& subject, const std::vector<OutlineEdge>& clip_edges) {
         const auto add = [&](const OutlineVertex& vertex, int line) {
             const auto& through = lines_[std::size_t(line)];
@@ -285,8 +287,8 @@ private:
         }
     }
 
-    /// The vertices of one region on the rays from the middles of the pieces into which it cuts the edges of another one. Pieces on its
-    /// outline have no ray.
+    /// The vertices of one region on the rays from the middles of the pieces into which it cuts the edges of another
+    /// one. Pieces on its outline have no ray.
     void add_vertices_on_rays(const CellRegion& cut, const CellRegion& cutting) {
         for (const auto& edge : cut.edges) {
             std::set<Place> ends{edge.from.at, edge.to.at};
@@ -503,7 +505,8 @@ private:
         return first;
     }
 
-    /// Whether a closed convex region holds a centre. Its row just above the centre is tested first, and then its outline.
+    /// Whether a closed convex region holds a centre. Its row just above the centre is tested first, and then its
+    /// outline.
     bool holds(const CellRegion& region, int x, int y) {
         const Place centre = centre_of_pixel(x, y);
         const auto ends = ends_in_pass(region, y, true);
@@ -697,8 +700,8 @@ AdmittedScene nested_polygons(RandomScenes& random) {
     }
 }
 
-/// Four rectangles whose sides run through pixel centres. They touch, overlap and pierce each other; each is level or tilted, with few
-/// depths at its sides.
+/// Four rectangles whose sides run through pixel centres. They touch, overlap and pierce each other; each is level or
+/// tilted, with few depths at its sides.
 AdmittedScene rectangles(RandomScenes& random) {
     SceneBuilder builder({0, 0, 8, 8});
     for (int i = 0; i < 4; ++i) {

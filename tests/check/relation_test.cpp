@@ -1,4 +1,5 @@
-// FORMAT.md: which relation a comparison asks for whose answers are true and false, redone from the operands that a checked trace has.
+// FORMAT.md: which relation a comparison asks for whose answers are true and false, redone from the operands that a
+// checked trace has.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
-// Where a listed decision is: the pixels that the list names, against the row or the column that the decision's own event has.
+// Where a listed decision is: the pixels that the list names, against the row or the column that the decision's own
+// event has.
 
 #include <doctest/doctest.h>
 
@@ -35,8 +36,8 @@ Listed listed(const AdmittedScene& scene, Method method, const std::string& kern
 }  // namespace
 
 TEST_CASE("A row of FillPolygon is listed as a row") {
-    // The triangle (1, 1.5) (5, 1.5) (3, 6.5) has its upper edge on the centres of row 1 and its lowest vertex on those of row 6. The
-    // two gaps are equal, and the list names the first.
+    // The triangle (1, 1.5) (5, 1.5) (3, 6.5) has its upper edge on the centres of row 1 and its lowest vertex on those
+    // of row 6. The two gaps are equal, and the list names the first.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).polygon({{1, 1.5, 0}, {5, 1.5, 0}, {3, 6.5, 0}}).build();
     for (const std::string kernel : {"exact", "double", "filtered"}) {
         CAPTURE(kernel);

@@ -1,5 +1,5 @@
-// The exact zeros that the list of decisions has for Warnock's algorithm and its variants, against counts in rationals. From a run the
-// counts take its questions (which window, polygon, edge or point), never an answer or a number.
+// The exact zeros that the list of decisions has for Warnock's algorithm and its variants, against counts in rationals.
+// From a run the counts take its questions (which window, polygon, edge or point), never an answer or a number.
 
 #include <doctest/doctest.h>
 
@@ -92,8 +92,8 @@ private:
         return {left->x, top->y, right->x, bottom->y};
     }
 
-    // A window that is split at a vertex. The vertices are tried in the order of the scene, up to one strictly inside the window that
-    // is rounded to a point strictly inside it. Only vertices strictly inside have events.
+    // A window that is split at a vertex. The vertices are tried in the order of the scene, up to one strictly inside
+    // the window that is rounded to a point strictly inside it. Only vertices strictly inside have events.
 
     void hear(const event::Join& join) { in_window_.erase(join.polygon.index); }
 
@@ -136,7 +136,8 @@ private:
         add(Coincidence::point_on_line, cross(from, to, point) == 0);
     }
 
-    // The ends of an edge that crosses the window's lines, next to the sides in turn: the second end only if the first is not within
+    // The ends of an edge that crosses the window's lines, next to the sides in turn: the second end only if the first
+    // is not within
 
     void hear(const event::Trial& trial) {
         const auto [from, to] = edge_of(trial.polygon, trial.edge);
@@ -176,9 +177,9 @@ private:
     }
     void hear(const event::Octants& octants) { hear_octants(octants.polygon, octants.edge); }
 
-    // Vertices next to the ray from the window's centre. RayCrossings first compares all of them, and then the second end of each edge,
-    // and the first end if the second is not on the ray's line. It tells the edges that end off that line and either begin on it or cross
-    // it. A vertex is compared twice, as less and as greater.
+    // Vertices next to the ray from the window's centre. RayCrossings first compares all of them, and then the second
+    // end of each edge, and the first end if the second is not on the ray's line. It tells the edges that end off that
+    // line and either begin on it or cross it. A vertex is compared twice, as less and as greater.
 
     void hear_rays_to(const PolygonPlace& polygon, int end) {
         const Rational row = Rational(window_.y) + Rational(window_.height) / 2;
@@ -236,8 +237,8 @@ private:
         return nearest;
     }
 
-    // The planes through the edges of edge-on polygons, which come before the first window: an edge is compared with the axes, and its
-    // first end with the sides of the area
+    // The planes through the edges of edge-on polygons, which come before the first window: an edge is compared with
+    // the axes, and its first end with the sides of the area
 
     void hear(const event::Push& push) {
         if (push.at != Line::WF1 || method_ != Method::warnock_edges) return;
@@ -285,7 +286,8 @@ private:
         return (in_order(a, value) && in_order(value, b)) || (in_order(b, value) && in_order(value, a));
     }
 
-    // The depths of the edges of an edge-on polygon at the centre of the window, in turn. The next event follows their comparison.
+    // The depths of the edges of an edge-on polygon at the centre of the window, in turn. The next event follows their
+    // comparison.
 
     void hear(const event::EdgeDepth& told) {
         hear_edges_to(told.polygon, told.edge + 1);
@@ -315,7 +317,8 @@ private:
         return Rational(from.z) + part * (Rational(to.z) - Rational(from.z));
     }
 
-    /// Faces are counter-clockwise as seen from outside, so one that looks away is clockwise on the screen, where y grows downward.
+    /// Faces are counter-clockwise as seen from outside, so one that looks away is clockwise on the screen, where y
+    /// grows downward.
     static bool looks_away(const ScenePolygon& face) {
         const Places outline = outline_of(face);
         Rational doubled = 0;

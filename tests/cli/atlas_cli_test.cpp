@@ -1,5 +1,5 @@
-// The atlas of failures through the command line: each entry is run as it fails. Its step and what is seen there must agree with the
-// table, which lessons/failures/table.mjs derives from traces alone.
+// The atlas of failures through the command line: each entry is run as it fails. Its step and what is seen there must
+// agree with the table, which lessons/failures/table.mjs derives from traces alone.
 
 #include <doctest/doctest.h>
 

@@ -502,12 +502,12 @@ TEST_CASE("check --list refuses a file that is neither .csv nor .jsonl") {
 
 TEST_CASE("check: a constructed point more than half a pixel off is an error, and its step is printed") {
     const Workplace work;
-    // The upper edge of A rises by 6 ulps from x = -5 to x = 25 and nearly lies on y = 8, the side of a window: rounding
-    // decides where the two meet.
+    // The upper edge of A rises by 6 ulps from x = -5 to x = 25 and nearly lies on y = 8, the side of a window:
+    // rounding decides where the two meet.
     const std::string scene = work.write(
         "scene.json",
-        R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":16,"height":16},"polygons":[{"color":"#0072b2","vertices":)"
-        R"([[-5,"0x1.ffffffffffffcp+2",0],[25,"0x1.0000000000002p+3",0],[8,16,0]]},)"
+        R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":16,"height":16},"polygons":[)"
+        R"({"color":"#0072b2","vertices":[[-5,"0x1.ffffffffffffcp+2",0],[25,"0x1.0000000000002p+3",0],[8,16,0]]},)"
         R"({"color":"#e69f00","vertices":[[0,0,0.5],[1,0,0.5],[0,1,0.5]]}]})");
     const auto checked = program("check " + scene + " --method warnock --kernel double");
     CHECK(checked.status == 1);
@@ -543,7 +543,8 @@ TEST_CASE("margin tells the half-planes of a step and a vertex as text and as JS
 
 namespace {
 
-/// A at depth 1/8 everywhere; B at 1/4 in the left half, later in the scene; C, the small square right of the middle, at -1/8; D edge-on.
+/// A at depth 1/8 everywhere; B at 1/4 in the left half, later in the scene; C, the small square right of the middle,
+/// at -1/8; D edge-on.
 const std::string four_polygons = R"({"window":{"x":0,"y":0,"width":4,"height":2},"background":"#ffffff","polygons":[
     {"id":"A","color":"#aa0000","vertices":[[-1,-1,0.125],[5,-1,0.125],[5,3,0.125],[-1,3,0.125]]},
     {"id":"B","color":"#0000bb","vertices":[[-1,-1,0.25],[2,-1,0.25],[2,3,0.25],[-1,3,0.25]]},
@@ -1195,8 +1196,8 @@ TEST_CASE("stability: the shard of a task of Slurm") {
 TEST_CASE(
     "stability: the script for Slurm submits an array and the job that merges, and a killed task is queued again") {
     const Workplace work;
-    // In place of Slurm: `sbatch` runs the tasks of an array at once, kills the program in task 2 the first time, and then runs the other
-    // job; `scontrol` runs the task again.
+    // In place of Slurm: `sbatch` runs the tasks of an array at once, kills the program in task 2 the first time, and
+    // then runs the other job; `scontrol` runs the task again.
     const std::string tools = work.file("tools");
     const auto tool = [&](const std::string& name, const std::string& text) {
         std::filesystem::permissions(work.write("tools/" + name, "#!/bin/bash\n" + text),
@@ -1204,7 +1205,8 @@ TEST_CASE(
     };
     tool("sbatch", R"sh(set -e
 if [[ $1 == --parsable ]]; then
-    for SLURM_ARRAY_TASK_ID in 1 2 3; do SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=$SLURM_ARRAY_TASK_ID bash "${@: -1}" || true; done >&2
+    export SLURM_ARRAY_JOB_ID=7
+    for task in 1 2 3; do SLURM_ARRAY_TASK_ID=$task bash "${@: -1}" || true; done >&2
     echo '7;cluster'
 else
     echo "$*" | grep -o 'afterany:[^ ]*'

@@ -1,5 +1,5 @@
-/// Each kind of text that the program reads, as other programs save it: with a byte order mark, with lines that end in CR LF or CR, and in
-/// UTF-16, which is refused by that name.
+/// Each kind of text that the program reads, as other programs save it: with a byte order mark, with lines that end in
+/// CR LF or CR, and in UTF-16, which is refused by that name.
 #include <doctest/doctest.h>
 
 #include <optional>

@@ -124,7 +124,8 @@ TEST_CASE("A full device for -o is an error, too") {
 }
 
 TEST_CASE("A run that a signal ends leaves no unfinished file, and ends by the signal") {
-    // A trace of many polygons takes longer than the time until the unfinished file appears, at which the signal is sent.
+    // A trace of many polygons takes longer than the time until the unfinished file appears, at which the signal is
+    // sent.
     const Workplace work;
     std::string polygons;
     for (int i = 0; i < 3000; ++i) {

@@ -1,4 +1,5 @@
-// Nothing is lost in silence: each command says what its output lacks and where, exits with 1, and writes the output nevertheless.
+// Nothing is lost in silence: each command says what its output lacks and where, exits with 1, and writes the output
+// nevertheless.
 
 #include <doctest/doctest.h>
 
@@ -9,7 +10,8 @@
 
 namespace {
 
-/// Three polygons that pierce each other. In double an outline of r does not close: exactly 19.073 square pixels of r are visible.
+/// Three polygons that pierce each other. In double an outline of r does not close: exactly 19.073 square pixels of r
+/// are visible.
 const std::string piercing = R"({"window":{"x":0,"y":0,"width":16,"height":16},"polygons":[)"
                              R"({"id":"p","vertices":[[1,1,-0.7],[15,2,0.8],[13,14,0.6]]},)"
                              R"({"id":"q","vertices":[[1,14,0.55],[15,13,-0.45],[8,1,0.1]]},)"
@@ -144,7 +146,8 @@ TEST_CASE("A curve that leaves the area is named wherever it is drawn") {
 }
 
 TEST_CASE("A command names the pixels outside the area that the printed text writes, the first ones one by one") {
-    // As printed, ShowLine also scans the row and the column just past the area, so a polygon over all 16 x 16 pixels is written beyond them.
+    // As printed, ShowLine also scans the row and the column just past the area, so a polygon over all 16 x 16 pixels
+    // is written beyond them.
     const Workplace work;
     const std::string scene =
         work.write("scene.json", R"({"window":{"x":0,"y":0,"width":16,"height":16},"polygons":[)"

@@ -1,5 +1,5 @@
-// Runs every procedure with the visitor that ignores all events. The test compiles this program against lib/ and against a copy of lib/
-// without trace calls, and compares the counts of instructions.
+// Runs every procedure with the visitor that ignores all events. The test compiles this program against lib/ and
+// against a copy of lib/ without trace calls, and compares the counts of instructions.
 #include <vidno/printed.h>
 #include <vidno/vidno.h>
 #include <cstdio>

@@ -11,8 +11,8 @@
 
 namespace vidno::test {
 
-/// The envelope of triangles as a map of the plane: each vertex, edge and face has the nearest triangles there, all of them
-/// where depths are equal. Outlines are edges of the map, so triangles are closed.
+/// The envelope of triangles as a map of the plane: each vertex, edge and face has the nearest triangles there, all of
+/// them where depths are equal. Outlines are edges of the map, so triangles are closed.
 class Envelope {
 public:
     /// All polygons must be triangles.

@@ -1,6 +1,6 @@
-// The picture rule against an independent judge: CGAL's envelope, the brute-force reference and both methods under `exact` and
-// `filtered` give the same picture of every scene of triangles. The visible regions of Weiler and Atherton have exactly the areas of
-// the envelope's faces.
+// The picture rule against an independent judge: CGAL's envelope, the brute-force reference and both methods under
+// `exact` and `filtered` give the same picture of every scene of triangles. The visible regions of Weiler and Atherton
+// have exactly the areas of the envelope's faces.
 
 #include "envelope.h"
 

@@ -89,8 +89,9 @@ TEST_CASE("worksheet: the windows of a pixel in front of a wall, by hand") {
     // Both planes are level: A, of side 4, has c = 2 * 16 and d = 0; B, of side 1/2, c = 1/2 and d = -c / 2.
     CHECK(lines_with(pages[0], "32") == std::vector<Texts>{{"A", "0", "0", "32", "0"}});
     CHECK(lines_with(pages[0], "1/2") == std::vector<Texts>{{"B", "0", "0", "1/2", "−1/4"}});
-    // B is nearer at all corners of the first window but does not surround it, so the window is split. The parts are taken from the
-    // end of AW. B's box is outside three of them, and A surrounds these; the fourth is a pixel, and B is nearest at its centre.
+    // B is nearer at all corners of the first window but does not surround it, so the window is split. The parts are
+    // taken from the end of AW. B's box is outside three of them, and A surrounds these; the fourth is a pixel, and B
+    // is nearest at its centre.
     CHECK(lines_with(pages[1], "W13 split") == std::vector<Texts>{{"1", "(0, 0) 2 × 2", "S 4", "+ 4", "W13 split"}});
     CHECK(lines_with(pages[1], "W8 surrounded") ==
           std::vector<Texts>{{"2", "(1, 1) 1 × 1", "S 4", "−", "W8 surrounded", "A"},
@@ -113,8 +114,8 @@ TEST_CASE("worksheet: the rows of a slope and its depths, by hand") {
 }
 
 TEST_CASE("worksheet: a level edge on a row's centres is shown without an AEL") {
-    // From y = 1/2 to 3/2. An edge's rows end before its lower end, but for those at the polygon's lowest point: the upper
-    // level edge has none; the lower one is shown on row 1, and then what is between the upright ones.
+    // From y = 1/2 to 3/2. An edge's rows end before its lower end, but for those at the polygon's lowest point: the
+    // upper level edge has none; the lower one is shown on row 1, and then what is between the upright ones.
     const WorkedRun run(test::SceneBuilder({0, 0, 4, 4}).quad(0, .5, 4, 1.5, 0).build(), Method::zbuffer);
     std::vector<std::pair<int, std::size_t>> found;
     for (const auto& row : run.rows()) found.emplace_back(row.row, row.edges.size());
@@ -225,8 +226,8 @@ TEST_CASE("worksheet: rows chosen by the steps at which they begin") {
 }
 
 TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
-    // B lies inside the first window, A surrounds it. Then B's box is outside three quarters, which A surrounds; in the pixel
-    // at the upper left, B is inside again.
+    // B lies inside the first window, A surrounds it. Then B's box is outside three quarters, which A surrounds; in the
+    // pixel at the upper left, B is inside again.
     const WorkedRun run(a_pixel_before_a_wall(), Method::warnock_full);
     std::vector<std::pair<Case, std::optional<int>>> found;
     for (const auto& window : run.windows()) found.emplace_back(window.which, window.painted);
@@ -248,7 +249,8 @@ TEST_CASE("worksheet: the windows of a member of Warnock's family, by hand") {
 }
 
 TEST_CASE("worksheet: the windows of a closed body, by hand") {
-    // Only face D of the box around the area, at z = 1/2, looks towards the viewer: A looks away, and the other faces are edge-on.
+    // Only face D of the box around the area, at z = 1/2, looks towards the viewer: A looks away, and the other faces
+    // are edge-on.
     test::SceneBuilder builder({0, 0, 4, 4});
     test::add_body(builder, test::parallelepiped({-2, -2, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, .5}));
     const WorkedRun run(builder.build(), Method::warnock_bodies);
@@ -259,8 +261,8 @@ TEST_CASE("worksheet: the windows of a closed body, by hand") {
 }
 
 TEST_CASE("worksheet: the lists of Weiler and Atherton's algorithm, by hand") {
-    // B lies inside A's outline and in front. The list B, A: A has a part inside B, which is behind, and one outside. So B is
-    // visible, and A outside B is the next list, visible as well.
+    // B lies inside A's outline and in front. The list B, A: A has a part inside B, which is behind, and one outside.
+    // So B is visible, and A outside B is the next list, visible as well.
     const WorkedRun run(a_pixel_before_a_wall(), Method::weiler_atherton);
     const auto pages = worksheet(run, Language::english, true);
     CHECK(lines_with(pages[1], "C visible") == std::vector<Texts>{{"1", "B", "B, A", "A", "A", "∅", "C visible"},
@@ -284,7 +286,8 @@ TEST_CASE("worksheet: flags, horizons and meetings of three curves, by hand in l
     CHECK(lines_with(pages[1], "lower") == std::vector<Texts>{{"lower", "4", "4", "4", "4", "4"},
                                                               {"lower", "6", "5", "4", "4", "4"},
                                                               {"lower", "6", "5", "5", "4", "4"}});
-    // Curve 1 is visible throughout. Curve 2 changes sides between columns 1 and 2, ends before column 3, and touches on column 4.
+    // Curve 1 is visible throughout. Curve 2 changes sides between columns 1 and 2, ends before column 3, and touches
+    // on column 4.
     CHECK(lines_with(pages[1], "meets") ==
           std::vector<Texts>{{"meets", "—"},
                              {"meets", "—"},

@@ -337,8 +337,8 @@ TEST_CASE("Curves: beside a wrong decision under double, the truth is that of th
 }
 
 TEST_CASE("Curves: a check counts decisions by procedure, and the columns that are wrong") {
-    // The second curve is below the first over all of its columns: as printed it is not drawn (X-H1). Three decisions of
-    // Visibility on each curve: its three columns; the text looks at two, its samples.
+    // The second curve is below the first over all of its columns: as printed it is not drawn (X-H1). Three decisions
+    // of Visibility on each curve: its three columns; the text looks at two, its samples.
     const AdmittedCurves scene =
         CurveSceneBuilder({0, 0, 4, 16}).curve({{0, 4}, {2, 4}}).curve({{0, 12}, {2, 12}}).build();
     const auto decisions = [](const FloatingHorizonCheckReport& report, Procedure procedure) {

@@ -183,7 +183,8 @@ TEST_CASE("A number is written in its shortest form by every code path") {
 }
 
 TEST_CASE("A cached number is written as before") {
-    // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced; and halves.
+    // Ten times as many numbers as are cached, from the whole range of doubles, so most entries are used and replaced;
+    // and halves.
     std::mt19937_64 random(1);
     std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308, -0.0, 0.25, -0.5};
     while (numbers.size() < 10000) {

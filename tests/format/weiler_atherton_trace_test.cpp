@@ -52,8 +52,9 @@ TEST_CASE("Regions: the worked example of FORMAT.md is what the program writes")
     CHECK(traced(admit(reader.header().scene), reader.header().kernel, reader.header().detail) == example);
 }
 
-// Two planes meet in one line, so two triangles pierce each other once. In double the ends of the cut were rounded off that line. With
-// another line for the same planes, computed with the polygons exchanged, the parts seemed to pierce each other again.
+// Two planes meet in one line, so two triangles pierce each other once. In double the ends of the cut were rounded off
+// that line. With another line for the same planes, computed with the polygons exchanged, the parts seemed to pierce
+// each other again.
 TEST_CASE("Regions: the parts of two polygons that pierced each other are not cut along their line again") {
     const AdmittedScene scene = SceneBuilder({8, -9, 8, 8})
                                     .polygon({{17.5, -8, 1}, {18.09375, 0, 0}, {14, -4, 0.09375}})
@@ -117,7 +118,8 @@ TEST_CASE("Regions: a check finds nothing under filtered and exact, and rounding
 }
 
 TEST_CASE("Regions: a wrong sign is reported as a sign, and a yes or no by its own name") {
-    // B's vertex is on A's edge: 4.2 + (2.78 - .8) (4.4 - 4.2) / (4.1 - .8) = 4.2 + .12 = 4.32. Rounded, it is inside A.
+    // B's vertex is on A's edge: 4.2 + (2.78 - .8) (4.4 - 4.2) / (4.1 - .8) = 4.2 + .12 = 4.32. Rounded, it is inside
+    // A.
     const AdmittedScene touch = SceneBuilder({0, 0, 5, 5})
                                     .polygon({{4.1, 4.4, .5}, {.8, 4.2, .5}, {4, 5, .5}})
                                     .polygon({{2.78, 4.32, 0}, {0, 3, 0}, {1, 2, 0}})

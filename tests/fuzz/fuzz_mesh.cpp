@@ -1,5 +1,5 @@
-/// Fuzz target: the import of meshes refuses any bytes or returns a scene that reads back the same. The first byte selects the format, '0'
-/// for the first of mesh_formats, so one corpus serves all formats.
+/// Fuzz target: the import of meshes refuses any bytes or returns a scene that reads back the same. The first byte
+/// selects the format, '0' for the first of mesh_formats, so one corpus serves all formats.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,6 @@
-/// Fuzz target: any bytes make a small scene, with coordinates from the whole range of doubles, their neighbours, and subnormal ones.
-/// Every method and kernel draws the admitted polygons. Nothing may stop the program, and `filtered` must paint what `exact` paints.
+/// Fuzz target: any bytes make a small scene, with coordinates from the whole range of doubles, their neighbours, and
+/// subnormal ones. Every method and kernel draws the admitted polygons. Nothing may stop the program, and `filtered`
+/// must paint what `exact` paints.
 #include <bit>
 #include <cmath>
 #include <cstddef>

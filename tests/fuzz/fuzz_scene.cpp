@@ -1,5 +1,5 @@
-/// Fuzz target: any bytes as a scene file are refused, or give a scene that can be written and read back unchanged. The quick reader
-/// agrees with the tree.
+/// Fuzz target: any bytes as a scene file are refused, or give a scene that can be written and read back unchanged. The
+/// quick reader agrees with the tree.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

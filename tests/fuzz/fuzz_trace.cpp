@@ -1,5 +1,5 @@
-// Any bytes as a trace: read, and applied step by step. Either step refuses with a message, or the state stays consistent. The quick
-// reader agrees with the tree.
+// Any bytes as a trace: read, and applied step by step. Either step refuses with a message, or the state stays
+// consistent. The quick reader agrees with the tree.
 
 #include <cstddef>
 #include <cstdint>

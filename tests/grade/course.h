@@ -80,7 +80,8 @@ inline bool ends_on(const std::vector<Vertex>& vertices, double y, double& left,
     return any;
 }
 
-/// The first column of the area whose centre lies at x or to the right of it; the column after the last if there is none.
+/// The first column of the area whose centre lies at x or to the right of it; the column after the last if there is
+/// none.
 inline int first_centre(double x, const Area& area) {
     return int(std::max<double>(area.x, std::min<double>(area.x + area.width, std::ceil(x - 0.5))));
 }

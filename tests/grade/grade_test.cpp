@@ -359,8 +359,8 @@ TEST_CASE("Judging Weiler and Atherton: our own runs in double are wrong only wh
         CHECK(wrong.ends_with("an outline does not close"));
         wrong_scenes.push_back(scene->name);
     }
-    // In exact arithmetic the run of this scene is right, and so is a program in `double` that keeps the vertices which its pieces share
-    // (right/weiler_atherton.cpp).
+    // In exact arithmetic the run of this scene is right, and so is a program in `double` that keeps the vertices which
+    // its pieces share (right/weiler_atherton.cpp).
     CHECK(wrong_scenes == std::vector<std::string>{"An area of 16 x 3"});
 }
 
@@ -536,7 +536,8 @@ TEST_CASE("Judging Weiler and Atherton: the parts of a piece are those inside an
 }
 
 TEST_CASE("Judging Weiler and Atherton: a row reaches from one outline of a visible region to another, through it") {
-    // The near square B from (4, 4) to (12, 12) hides the middle of A. Row 6 meets A's visible region from 0 to 4 and from 12 to 16.
+    // The near square B from (4, 4) to (12, 12) hides the middle of A. Row 6 meets A's visible region from 0 to 4 and
+    // from 12 to 16.
     const AdmittedScene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, .125).quad(4, 4, 12, 12, .5).build();
     struct Case {
         double left, right;

@@ -1,7 +1,9 @@
-// A hostile program. The scene's name is "ATTACK@NAME": which attack to try, and how its processes are called. It prints "held", or "reached: " and what.
+// A hostile program. The scene's name is "ATTACK@NAME": which attack to try, and how its processes are called. It
+// prints "held", or "reached: " and what.
 //
-// It does no harm where nothing contains it. It opens forbidden places and writes nothing there, sends signals only to its own processes, asks
-// for little more than limits that the test lowers, and all that it starts ends within a minute.
+// It does no harm where nothing contains it. It opens forbidden places and writes nothing there, sends signals only to
+// its own processes, asks for little more than limits that the test lowers, and all that it starts ends within a
+// minute.
 #include <dirent.h>
 #include <fcntl.h>
 #include <linux/capability.h>

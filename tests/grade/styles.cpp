@@ -1,5 +1,5 @@
-// Many programs in one: its name says what it does, as words with hyphens between them. The first is the method; `styles.cmake` lists the
-// others. A style is another way to be right; a lie or a mistake makes the program wrong.
+// Many programs in one: its name says what it does, as words with hyphens between them. The first is the method;
+// `styles.cmake` lists the others. A style is another way to be right; a lie or a mistake makes the program wrong.
 #include <functional>
 
 #include "course.h"

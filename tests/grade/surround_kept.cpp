@@ -1,4 +1,5 @@
-// Warnock's algorithm, wrong: once it has found a surrounding polygon, it keeps it even if a later polygon is nearer in the window.
+// Warnock's algorithm, wrong: once it has found a surrounding polygon, it keeps it even if a later polygon is nearer in
+// the window.
 #include "course.h"
 
 struct Cell {

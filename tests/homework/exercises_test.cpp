@@ -70,8 +70,8 @@ TEST_CASE("profile: the windows of one quad in the upper left quarter, by hand")
 }
 
 TEST_CASE("profile: rows, changes of the AEL and pixels of a quad behind another, by hand") {
-    // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad covers the same 16
-    // pixels at the same depth, so it loses each of them in a tie.
+    // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad
+    // covers the same 16 pixels at the same depth, so it loses each of them in a tie.
     const AdmittedScene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).quad(1, 1, 5, 5, 0).build();
     const Profile profile = profiled_run(scene, Method::zbuffer).profile;
     CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"changes of the AEL of A", 10},
@@ -171,7 +171,8 @@ TEST_CASE("exercises: slopes and depths that are computed are short, although th
             return digits;
         };
         const AdmittedScene original = read(file);
-        // The pentagon of lesson 7 has an edge that begins on row 12, at a depth of 11/128; lesson 8 has a slope of 1/128.
+        // The pentagon of lesson 7 has an edge that begins on row 12, at a depth of 11/128; lesson 8 has a slope of
+        // 1/128.
         const std::size_t longer = digits_of(original).long_ones.size();
         CHECK((longer == 0) == (method == Method::warnock));
         for (const AdmittedScene& exercise : some_exercises(original, method)) {

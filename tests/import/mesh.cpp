@@ -1,5 +1,5 @@
-/// vidno_mesh: reads the meshes whose names are on standard input, a line each, and prints what was read as a line of JSON each. compare.py
-/// compares it with a second reader.
+/// vidno_mesh: reads the meshes whose names are on standard input, a line each, and prints what was read as a line of
+/// JSON each. compare.py compares it with a second reader.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>

@@ -251,8 +251,8 @@ TEST_CASE("A pin reports where the run contradicts it") {
 
 namespace {
 
-/// A lesson without errors, on a square that covers the left one of two pixels. One polygon is left in the root window, so it is
-/// drawn at once: one window (W10).
+/// A lesson without errors, on a square that covers the left one of two pixels. One polygon is left in the root window,
+/// so it is drawn at once: one window (W10).
 struct SquareLesson {
     Workplace place;
     std::string folder = place.file("square");

@@ -102,9 +102,10 @@ TEST_CASE("edge-on is decided exactly, whatever the order of the vertices") {
 }
 
 TEST_CASE("planar within 2^-40 of the extent") {
-    // The square with corners (0,0), (1,0), (1,1), (0,1) and one corner raised by 4h. Newell's sum about the first is
-    // a = -4h, b = -4h, c = 2 to first order for the corner (1,1). The plane z = 2h (x + y) passes 2h below or above the corners (1,0)
-    // and (0,1), and through (1,1). So 2h is compared with 2^-40: h = 2^-41 is the limit, up to a factor of 1 + 8 h^2.
+    // The square with corners (0,0), (1,0), (1,1), (0,1) and one corner raised by 4h. Newell's sum about the first is a
+    // = -4h, b = -4h, c = 2 to first order for the corner (1,1). The plane z = 2h (x + y) passes 2h below or above the
+    // corners (1,0) and (0,1), and through (1,1). So 2h is compared with 2^-40: h = 2^-41 is the limit, up to a factor
+    // of 1 + 8 h^2.
     const auto raised = [](double h) {
         return std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}};
     };
@@ -158,7 +159,8 @@ TEST_CASE("many vertices reflex by rounding are dropped, but a deep dent is not 
 
 TEST_CASE("an outline may overrun its start by rounding, wherever it starts and in both directions") {
     constexpr double ulp = 0x1p-52;  // of 1
-    // A square from (1, 1) to (2, 2) with a last vertex that lies past the first: along the first side, beyond it, and before it.
+    // A square from (1, 1) to (2, 2) with a last vertex that lies past the first: along the first side, beyond it, and
+    // before it.
     for (const double beyond : {0.0, -3 * ulp, 3 * ulp}) {
         CAPTURE(beyond);
         check_all("admitted", {{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1 + 3 * ulp, 1 + beyond, 0}});

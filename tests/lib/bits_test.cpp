@@ -15,7 +15,8 @@ using namespace vidno::test;
 
 namespace {
 
-/// The neighbours of a positive value among the numbers with a given number of bits, and which of them is nearer, by rationals.
+/// The neighbours of a positive value among the numbers with a given number of bits, and which of them is nearer, by
+/// rationals.
 double nearest_with_bits(int bits, const Rational& value) {
     const double about = CGAL::to_double(value);
     const double step = std::ldexp(1, std::ilogb(about) + 1 - bits);

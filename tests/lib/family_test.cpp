@@ -1,5 +1,5 @@
-// The Warnock family: relations on cases computed by hand and against their definition, the variants' pictures against brute force in
-// exact rationals, the lists of the full variant against what they should hold.
+// The Warnock family: relations on cases computed by hand and against their definition, the variants' pictures against
+// brute force in exact rationals, the lists of the full variant against what they should hold.
 
 #include "vidno/family/family.h"
 
@@ -116,15 +116,16 @@ TEST_CASE_TEMPLATE("OctantAngles: full and none, and half ones split where they 
     CHECK(octants({{0, 0, 0}, {12, 0, 0}, {12, 12, 0}, {0, 12, 0}}) == 8);
     CHECK(octants({{0, 12, 0}, {12, 12, 0}, {12, 0, 0}, {0, 0, 0}}) == -8);
     CHECK(octants({{9, 5, 0}, {12, 5, 0}, {12, 7, 0}, {9, 7, 0}}) == 0);
-    // From octant 0 to octant 4, above the corner (8, 4): at x = 8 the edge is at y = 2. Back past the corner (4, 8), at y = 10, or
-    // the same way, as the third vertex says.
+    // From octant 0 to octant 4, above the corner (8, 4): at x = 8 the edge is at y = 2. Back past the corner (4, 8),
+    // at y = 10, or the same way, as the third vertex says.
     const glm::dvec3 from(2, -1, 0), to(18, 7, 0), beyond(18, 9, 0);
     CHECK_MESSAGE(octants({from, beyond, {2, 30, 0}}) == 8, "the window is below the edge, in the polygon");
     CHECK_MESSAGE(octants({from, beyond, {18, -1, 0}}) == 0, "the window is below the edge, outside");
     CHECK_MESSAGE(octants({from, to, beyond}) == 0, "there and back");
 }
 
-// ------------------------------------------------------------------------------------- relations, against the definition
+// ------------------------------------------------------------------------------------- relations, against the
+// definition
 
 namespace {
 
@@ -305,7 +306,8 @@ CountSteps::Counts steps_of(const AdmittedScene& scene) {
 }  // namespace
 
 TEST_CASE("Simplest: windows around a small polygon are split down to its pixel") {
-    // On 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box lies.
+    // On 4 x 4 pixels: the first window, its four parts, and the four pixels of the part in which the polygon's box
+    // lies.
     const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(1.25, 1.25, 1.75, 1.75, 0).build();
     CHECK(steps_of<family::Simplest>(scene).windows == 1 + 4 + 4);
     CHECK_MESSAGE(steps_of<family::Full>(scene).windows == 1, "alone, it is drawn");
@@ -320,9 +322,10 @@ TEST_CASE("Simplest: even a window that one polygon surrounds is split") {
 // ------------------------------------------------------------------------------------- three lists
 
 TEST_CASE("Three lists: the near square before the far quad") {
-    // The far quad surrounds the first window, so it is tested once. The square intersects only windows that hold a part of its outline:
-    // the 4 of 8 x 8 on the first level, each with a corner of it. Their parts of 4 x 4 at most touch its sides, since it goes from 4 to
-    // 12, so it surrounds each of them or is outside. 1 + 4 + 16 windows, with a test of the square in each.
+    // The far quad surrounds the first window, so it is tested once. The square intersects only windows that hold a
+    // part of its outline: the 4 of 8 x 8 on the first level, each with a corner of it. Their parts of 4 x 4 at most
+    // touch its sides, since it goes from 4 to 12, so it surrounds each of them or is outside. 1 + 4 + 16 windows, with
+    // a test of the square in each.
     const AdmittedScene scene = SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build();
     const auto steps = steps_of<family::Full>(scene);
     CHECK(steps.windows == 1 + 4 + 16);
@@ -412,7 +415,8 @@ std::vector<Window> split_at_vertex(const AdmittedScene& scene, const Window& of
 }  // namespace
 
 TEST_CASE_TEMPLATE("VertexSplit: at the pixel boundaries next to the first vertex in the window", K, VIDNO_KERNELS) {
-    // (5.25, 6.75) is next to the boundaries x = 5 and y = 7. A vertex halfway between two boundaries takes the smaller one.
+    // (5.25, 6.75) is next to the boundaries x = 5 and y = 7. A vertex halfway between two boundaries takes the smaller
+    // one.
     const auto parts = split_at_vertex<K>(scene_of({{5.25, 6.75, 0}, {14, 20, 0}, {2, 20, 0}}), {0, 0, 16, 16});
     CHECK(parts == std::vector<Window>{{0, 0, 5, 7}, {0, 7, 5, 9}, {5, 0, 11, 7}, {5, 7, 11, 9}});
     const auto half = split_at_vertex<K>(scene_of({{5.5, 6.5, 0}, {14, 20, 0}, {2, 20, 0}}), {0, 0, 16, 16});
@@ -437,7 +441,8 @@ TEST_CASE_TEMPLATE("VertexSplit: without a vertex in the window, in the middle",
 }
 
 TEST_CASE("VertexSplit: fewer windows if a corner is not in the middle") {
-    // Split at (3, 3), the four parts are simple. Split in the middle of 16, and of 8 and 4, the corner always is in one part.
+    // Split at (3, 3), the four parts are simple. Split in the middle of 16, and of 8 and 4, the corner always is in
+    // one part.
     const AdmittedScene scene = SceneBuilder(area_16).quad(3, 3, 20, 20, .5).quad(-1, -1, 17, 17, 0).build();
     CHECK(steps_of<family::AtVertex>(scene).windows == 1 + 4);
     CHECK(steps_of<family::Full>(scene).windows > 1 + 4 + 4);
@@ -467,7 +472,8 @@ TEST_CASE_TEMPLATE("EdgeDepth: the greatest depth of the edges in the line of si
 }
 
 TEST_CASE_TEMPLATE("EdgeDepth: along an edge, its nearer end", K, VIDNO_KERNELS) {
-    // A rectangle from (1 1/2, 1 1/2) to (5 1/2, 5 1/2), its upright edges from z = -1/2 to 1/2; and one that is a single line of sight.
+    // A rectangle from (1 1/2, 1 1/2) to (5 1/2, 5 1/2), its upright edges from z = -1/2 to 1/2; and one that is a
+    // single line of sight.
     Stage<K, family::EdgeOn> stage(SceneBuilder(area_16)
                                        .polygon({{1.5, 1.5, -.5}, {5.5, 5.5, -.5}, {5.5, 5.5, .5}, {1.5, 1.5, .5}})
                                        .polygon({{7.5, 7.5, -.25}, {7.5, 7.5, .75}, {7.5, 7.5, .25}})

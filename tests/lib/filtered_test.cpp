@@ -145,8 +145,8 @@ TEST_CASE("Depths that a cell of the Z-buffer cannot distinguish") {
 }
 
 TEST_CASE("Lines of the Z-buffer of every length, up to each side of the area") {
-    // Behind and in front of the middle quad are quads from column `first` to `end`. Two rows: what lies after the last pixel of one is
-    // the first pixel of the next, or nothing.
+    // Behind and in front of the middle quad are quads from column `first` to `end`. Two rows: what lies after the last
+    // pixel of one is the first pixel of the next, or nothing.
     for (int width = 1; width <= 18; ++width) {
         for (int first = 0; first < width; ++first) {
             for (int end = first + 1; end <= width; ++end) {
@@ -173,8 +173,8 @@ TEST_CASE("Lines of the Z-buffer of every length, up to each side of the area") 
 }
 
 TEST_CASE("Planes that cross along a line, at slopes around the bound of the cells") {
-    // The tilted plane rises by 2^-k a pixel and is level with the other, at z, at x = 20: from that pixel on it is nearer. Near 3/4 the
-    // numbers of a cell are 2^-24 apart.
+    // The tilted plane rises by 2^-k a pixel and is level with the other, at z, at x = 20: from that pixel on it is
+    // nearer. Near 3/4 the numbers of a cell are 2^-24 apart.
     for (int k = 6; k <= 45; ++k) {
         for (const double z : {0., .75 + 0x1p-26, -.75}) {
             const double rise = std::ldexp(1, -k);
@@ -198,8 +198,8 @@ TEST_CASE("Planes that cross along a line, at slopes around the bound of the cel
 }
 
 TEST_CASE("Steep planes do not fit the cells: they are compared all the same") {
-    // The sliver is 2^-30 wide in y and rises by 1 there, so its depths are known only roughly. Its lower edge is on the centres of the
-    // row, at depth 0.
+    // The sliver is 2^-30 wide in y and rises by 1 there, so its depths are known only roughly. Its lower edge is on
+    // the centres of the row, at depth 0.
     for (const double z : {-0x1p-40, 0x1p-40}) {
         const AdmittedScene scene = SceneBuilder({0, 0, 20, 1})
                                         .quad(0, 0, 20, 1, z)
@@ -235,8 +235,8 @@ TEST_CASE("An edge at or near a centre has no certain first pixel after it") {
 }
 
 TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is drawn right") {
-    // The triangle is hardly more than its edge from (0, 0) to (8, 8), which passes through the centres of the diagonal and rises from -1
-    // to 1. From the fifth pixel on it is in front of the quad at 0.
+    // The triangle is hardly more than its edge from (0, 0) to (8, 8), which passes through the centres of the diagonal
+    // and rises from -1 to 1. From the fifth pixel on it is in front of the quad at 0.
     const AdmittedScene scene =
         SceneBuilder({0, 0, 8, 8}).quad(0, 0, 8, 8, 0).polygon({{0, 0, -1}, {8, 8, 1}, {4, 4 + 0x1p-50, .5}}).build();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
@@ -252,8 +252,8 @@ TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is dra
 }
 
 TEST_CASE("A window's corner that an edge passes through by chance") {
-    // The edge from (8 - 2^-50, -5) to (8 + 2^-49, -14) crosses y = -8 at x = 8, the left side of the window. So the vertex cut by the
-    // top side lies exactly on the left side, which doubles cannot show.
+    // The edge from (8 - 2^-50, -5) to (8 + 2^-49, -14) crosses y = -8 at x = 8, the left side of the window. So the
+    // vertex cut by the top side lies exactly on the left side, which doubles cannot show.
     Stage<Filtered> stage(SceneBuilder({8, -8, 2, 2})
                               .polygon({{8 + 0x1p-49, -14, 0}, {9, -14, 0}, {9, -5, 0}, {8 - 0x1p-50, -5, 0}})
                               .build());

@@ -1,5 +1,5 @@
-// The procedures of the floating horizon on cases computed by hand, over all kernels, and against the rule by brute force.
-// y grows downward: a curve with a smaller y is above.
+// The procedures of the floating horizon on cases computed by hand, over all kernels, and against the rule by brute
+// force. y grows downward: a curve with a smaller y is above.
 
 #include "vidno/floating_horizon.h"
 
@@ -54,8 +54,9 @@ AdmittedCurves between_4_and_12(std::vector<Sample> samples) {
         .build();
 }
 
-/// The left edge of the first two curves, from (left, 12) to (left + 4, 4), is at 10, 8, 6 over the columns between. Behind it
-/// is the third curve, at 11; the edge that leads to this one, from (left + 4, 4) to (left - 1, 24), is at 16, 12, 8 there.
+/// The left edge of the first two curves, from (left, 12) to (left + 4, 4), is at 10, 8, 6 over the columns between.
+/// Behind it is the third curve, at 11; the edge that leads to this one, from (left + 4, 4) to (left - 1, 24), is at
+/// 16, 12, 8 there.
 AdmittedCurves behind_an_edge(int left) {
     return CurveSceneBuilder(columns_17)
         .curve({{left, 12}, {12, 12}})
@@ -140,8 +141,8 @@ TEST_CASE_TEMPLATE("Intersection: the first change on the way, between columns o
 }
 
 TEST_CASE_TEMPLATE("SideEdge: over the columns between the ends of two curves, either way", K, VIDNO_HORIZON_KERNELS) {
-    // The left edge from (6, 4) to (2, 12) is at 10, 8, 6 over the columns 3, 4, 5, the right one from (10, 4) to (14, 12) at
-    // 6, 8, 10 over 11, 12, 13.
+    // The left edge from (6, 4) to (2, 12) is at 10, 8, 6 over the columns 3, 4, 5, the right one from (10, 4) to (14,
+    // 12) at 6, 8, 10 over 11, 12, 13.
     FloatingHorizonStage<K> stage(
         CurveSceneBuilder(columns_17).curve({{6, 4}, {10, 4}}).curve({{2, 12}, {14, 12}}).build());
     const double upper[]{12, 10, 8, 6, 4, 4, 4, 4, 4, 6, 8, 10, 12};
@@ -276,8 +277,8 @@ TEST_CASE_TEMPLATE("A gap is not drawn, hides nothing, and leaves the horizons a
         CHECK(alone.run.horizons.upper[x].has_value() == (x <= 4 || x >= 12));
         CHECK(alone.run.horizons.lower[x].has_value() == (x <= 4 || x >= 12));
     }
-    // A curve at 8 is hidden between those at 4 and at 12. Over the gap both horizons are at 12. From column 4 to column 5 the upper one
-    // goes from 4 down to 12, and passes 8 halfway; likewise back from column 11 to column 12.
+    // A curve at 8 is hidden between those at 4 and at 12. Over the gap both horizons are at 12. From column 4 to
+    // column 5 the upper one goes from 4 down to 12, and passes 8 halfway; likewise back from column 11 to column 12.
     const auto scene =
         CurveSceneBuilder(columns_17).curve(with_gap).curve({{0, 12}, {16, 12}}).curve({{0, 8}, {16, 8}}).build();
     CHECK(last_lines<K>(scene) == Lines{{2, 4.5, 8, 11.5, 8}});
@@ -538,7 +539,8 @@ TEST_CASE("Heights that overflow are still compared right") {
     CHECK(std::abs(lines[2].to.point.y.value + 1) < 1e-12);
 }
 
-// ------------------------------------------------------------------------------------- every kernel and edition, over gaps
+// ------------------------------------------------------------------------------------- every kernel and edition, over
+// gaps
 
 namespace {
 
@@ -617,8 +619,8 @@ struct OnlyXH6 : CorrectedFloatingHorizon {
 }  // namespace
 
 TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 counts as no edge", K, VIDNO_PRINTED_KERNELS) {
-    // Without the edge the upper horizon stays at 12 up to x = 3, and goes to 8 over the next column: it is at 11 a quarter of
-    // the way.
+    // Without the edge the upper horizon stays at 12 up to x = 3, and goes to 8 over the next column: it is at 11 a
+    // quarter of the way.
     CHECK(last_lines<K, CorrectedFloatingHorizon>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
     CHECK(last_lines<K, OnlyEdgeStart>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 3.25, 11}});
     CHECK_MESSAGE(
@@ -637,8 +639,8 @@ TEST_CASE_TEMPLATE("X-H1: a segment that is below at both ends is not drawn and 
 }
 
 TEST_CASE_TEMPLATE("X-H2: a segment that emerges below is cut by the upper horizon", K, VIDNO_PRINTED_KERNELS) {
-    // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so the cut is at the end of the step: the next column or, as printed, the
-    // next sample.
+    // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so the cut is at the end of the step: the next column or,
+    // as printed, the next sample.
     const auto scene = between_4_and_12({{0, 9.5}, {8, 17.5}});
     CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
     CHECK(last_lines<K, OnlyXH2>(scene) == Lines{{2, 3, 12.5, 8, 17.5}});

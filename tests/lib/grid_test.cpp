@@ -87,9 +87,9 @@ TEST_CASE("Snapped scenes, random and degenerate, on coarse grids and fine: no w
 }
 
 TEST_CASE("The segment between two edges that meet a side of a window is part of the side") {
-    // Because of the second triangle, windows are split down to 2 x 2 pixels. The one at (2, 2) clips the first triangle alone. The edge
-    // y = x meets its right side at (4, 4), and the edge from (5, 5) to (1, -7) at (4, 2). So in row 2 the first triangle covers the
-    // centres 2.5 and 3.5.
+    // Because of the second triangle, windows are split down to 2 x 2 pixels. The one at (2, 2) clips the first
+    // triangle alone. The edge y = x meets its right side at (4, 4), and the edge from (5, 5) to (1, -7) at (4, 2). So
+    // in row 2 the first triangle covers the centres 2.5 and 3.5.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})
                                     .polygon({{1, -7, 0.125}, {-7, -7, 0.125}, {5, 5, 0.125}})
                                     .polygon({{1, 1, -0.5}, {5, 1, -0.5}, {-5.5, 0, -0.5}})
@@ -122,8 +122,8 @@ TEST_CASE("Vertices on whole numbers: edges often meet the corners of windows, a
 }
 
 TEST_CASE("At the greatest width, ties and slivers are still decided right") {
-    // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes differ by one step of z, and the sliver's sides, one step apart,
-    // pass through centres.
+    // On a grid of 1/2^20 an area of 8 is 2^23 steps across. The planes differ by one step of z, and the sliver's
+    // sides, one step apart, pass through centres.
     const double step = 0x1p-20;
     const double deep = 0x1p-24;
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8})

@@ -78,8 +78,8 @@ TEST_CASE("The scene shifted by whole pixels") {
 }
 
 TEST_CASE("The scene scaled by two: pixels doubled and sampled between their centres") {
-    // A pixel centre of the scene, (i + 1/2, j + 1/2), becomes a corner of four pixels; shifted by half a pixel it is the
-    // centre of the pixel (2i, 2j) of an area of twice the size.
+    // A pixel centre of the scene, (i + 1/2, j + 1/2), becomes a corner of four pixels; shifted by half a pixel it is
+    // the centre of the pixel (2i, 2j) of an area of twice the size.
     on_random_scenes(5, [](const AdmittedScene& scene) {
         Scene scaled = changed(scene, [](auto& v) {
             for (auto& vertex : v) vertex = {2 * vertex.x - .5, 2 * vertex.y - .5, vertex.z};

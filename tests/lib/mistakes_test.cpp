@@ -1,5 +1,5 @@
-// The usual mistakes: each paints its witness of the atlas wrong, as computed here by hand, paints the scenes that it does not affect
-// right, and ends on every scene.
+// The usual mistakes: each paints its witness of the atlas wrong, as computed here by hand, paints the scenes that it
+// does not affect right, and ends on every scene.
 
 #include <doctest/doctest.h>
 
@@ -103,8 +103,8 @@ AdmittedScene two_squares(double first_z, double second_z) {
 }  // namespace
 
 TEST_CASE("One list: a polygon that the first part removes is missing in the last") {
-    // The lower right one of the four windows of 1 x 1 is on top of the stack. A ends at x = 0.75, left of it, and leaves the list. It
-    // holds the centre (1/2, 1/2): its side passes there at x = 3/4 (1 - 1/4) = 9/16.
+    // The lower right one of the four windows of 1 x 1 is on top of the stack. A ends at x = 0.75, left of it, and
+    // leaves the list. It holds the centre (1/2, 1/2): its side passes there at x = 3/4 (1 - 1/4) = 9/16.
     check_witness(Deviation::one_list, {{0, 0, ""}});
 }
 
@@ -169,8 +169,8 @@ TEST_CASE("Boundary outside: no centre lies on an outline of whole coordinates a
 }
 
 TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both methods") {
-    // Both squares have the side from (2, 5 1/2) to (9, 5 1/2): the centres of columns 2 to 8 of row 5 lie on it. Those of row 6
-    // lie inside the lower one alone.
+    // Both squares have the side from (2, 5 1/2) to (9, 5 1/2): the centres of columns 2 to 8 of row 5 lie on it. Those
+    // of row 6 lie inside the lower one alone.
     const AdmittedScene scene = SceneBuilder(area_16).quad(2, 1, 9, 5.5, 0).quad(2, 5.5, 9, 9, 0).build();
     for_each_picture(Deviation::boundary_outside, scene, [&](const Picture& painted, const auto&) {
         for (int x = 2; x < 9; ++x) {
@@ -209,8 +209,8 @@ TEST_CASE("Surround kept: with the near polygon first the picture is right") {
 }
 
 TEST_CASE("Vertex counted twice: a polygon that a ray leaves through a vertex counts as outside") {
-    // The ray from (1/2, 1/2) meets the outline of A only in the vertex (3, 1/2), and pierces it there. The outline surrounds the window:
-    // at x = 1 it is at y = -1/4 and y = 5/4.
+    // The ray from (1/2, 1/2) meets the outline of A only in the vertex (3, 1/2), and pierces it there. The outline
+    // surrounds the window: at x = 1 it is at y = -1/4 and y = 5/4.
     check_witness(Deviation::vertex_counted_twice, {{0, 0, ""}});
 }
 
@@ -235,8 +235,8 @@ TEST_CASE("Octants not split: edges along the axes are never seen under half of 
 }
 
 TEST_CASE("Line for edge: windows are split in vain, and the picture is right") {
-    // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). With both polygons the window
-    // is split into its four pixels; A alone would be drawn at once.
+    // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). With both
+    // polygons the window is split into its four pixels; A alone would be drawn at once.
     check_witness(Deviation::line_for_edge, {});
     const AdmittedScene scene = witness("line-for-edge");
     CHECK(windows_of<mistakes::LineForEdge>(scene) == 1 + 4);

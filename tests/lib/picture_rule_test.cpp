@@ -1,5 +1,5 @@
-// The picture rule: both corrected methods under `exact` and `filtered` paint the same pixels as the brute-force rational reference, on
-// random and on degenerate scenes.
+// The picture rule: both corrected methods under `exact` and `filtered` paint the same pixels as the brute-force
+// rational reference, on random and on degenerate scenes.
 
 #include <doctest/doctest.h>
 

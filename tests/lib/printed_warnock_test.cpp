@@ -1,6 +1,6 @@
-// Each defect of the printed text of Warnock's algorithm with its witness: the corrected text passes where the printed one fails. The
-// expected figures come from an independent run in exact fractions, or are computed beside the check. Where a defect is a rule of the
-// set, a set with this one defect shows it alone.
+// Each defect of the printed text of Warnock's algorithm with its witness: the corrected text passes where the printed
+// one fails. The expected figures come from an independent run in exact fractions, or are computed beside the check.
+// Where a defect is a rule of the set, a set with this one defect shows it alone.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// Each defect of the printed text of the Z-buffer with its witness: the corrected text passes where the printed one fails. The expected
-// figures are computed beside the check.
+// Each defect of the printed text of the Z-buffer with its witness: the corrected text passes where the printed one
+// fails. The expected figures are computed beside the check.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
-// The procedures of Weiler and Atherton's algorithm on cases computed by hand, over all kernels, and its regions and its picture
-// against the picture rule by brute force. Coordinates are short binary fractions where kernels that round must agree.
+// The procedures of Weiler and Atherton's algorithm on cases computed by hand, over all kernels, and its regions and
+// its picture against the picture rule by brute force. Coordinates are short binary fractions where kernels that round
+// must agree.
 
 #include "vidno/weiler_atherton.h"
 
@@ -164,8 +165,8 @@ TEST_CASE_TEMPLATE("RegionClip: entering and leaving vertices", K, VIDNO_REGION_
 }
 
 TEST_CASE_TEMPLATE("RegionClip: a subject with a hole, and a clip region with one", K, VIDNO_REGION_KERNELS) {
-    // The ring of 64 - 16 = 48 around (4, 4) to (8, 8), and the band of 8 x 4 over 3 <= x <= 5: of its 2 x 8 = 16 the hole
-    // takes 1 x 4.
+    // The ring of 64 - 16 = 48 around (4, 4) to (8, 8), and the band of 8 x 4 over 3 <= x <= 5: of its 2 x 8 = 16 the
+    // hole takes 1 x 4.
     WeilerAthertonStage<K> stage(
         SceneBuilder(area_16).polygon(square).quad(4, 4, 8, 8, 0).quad(3, 2, 5, 10, 0).quad(4, 4, 8, 8, 0).build());
     auto ring = stage.piece(0);
@@ -201,7 +202,8 @@ TEST_CASE("InsertionSort: in order and stable, and NaN stays in its place") {
     insertion_sort(items, [](const auto& a, const auto& b) { return a.first < b.first; });
     CHECK(items == std::vector<std::pair<int, char>>{{1, 'a'}, {1, 'b'}, {2, 'a'}, {2, 'b'}});
 
-    // Nothing compares as nearer than NaN, nor NaN as nearer than anything: 1 does not pass it, and 2 does not pass the 1 behind it.
+    // Nothing compares as nearer than NaN, nor NaN as nearer than anything: 1 does not pass it, and 2 does not pass the
+    // 1 behind it.
     std::vector<double> numbers{3, std::nan(""), 1, 2};
     std::vector<double> asked;
     insertion_sort(numbers, [&](double a, double b) {
@@ -228,7 +230,8 @@ TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of
 }
 
 TEST_CASE_TEMPLATE("RemoveBehind: nearer polygons stay, and the first of coplanar ones", K, VIDNO_REGION_KERNELS) {
-    // All lie over the same square. The third meets the clip polygon along x = 2 and is in front of it elsewhere, the fourth is behind.
+    // All lie over the same square. The third meets the clip polygon along x = 2 and is in front of it elsewhere, the
+    // fourth is behind.
     WeilerAthertonStage<K> stage(SceneBuilder(area_16)
                                      .quad(2, 2, 10, 10, .5)
                                      .quad(2, 2, 10, 10, .5)
@@ -244,8 +247,8 @@ TEST_CASE_TEMPLATE("RemoveBehind: nearer polygons stay, and the first of coplana
 }
 
 TEST_CASE_TEMPLATE("SplitPiercing: both are cut where their planes meet, others are not", K, VIDNO_REGION_KERNELS) {
-    // z = x / 16 meets z = 1/2 at x = 8. The third polygon meets the level plane along its own edge x = 12 only; the last one's
-    // plane meets the others at x = 8, too, but it lies beyond that.
+    // z = x / 16 meets z = 1/2 at x = 8. The third polygon meets the level plane along its own edge x = 12 only; the
+    // last one's plane meets the others at x = 8, too, but it lies beyond that.
     WeilerAthertonStage<K> stage(SceneBuilder(area_16)
                                      .polygon({{0, 4, 0}, {16, 4, 1}, {16, 12, 1}, {0, 12, 0}})
                                      .quad(4, 0, 12, 16, .5)
@@ -273,7 +276,8 @@ TEST_CASE_TEMPLATE("A near square leaves a ring of the far quad", K, VIDNO_REGIO
 }
 
 TEST_CASE_TEMPLATE("A polygon that is sorted last may be in front", K, VIDNO_REGION_KERNELS) {
-    // The tilted quad, z = x / 16, reaches z = 1 and is sorted first. It is in front of the square at x >= 12, and behind it at x <= 4.
+    // The tilted quad, z = x / 16, reaches z = 1 and is sorted first. It is in front of the square at x >= 12, and
+    // behind it at x <= 4.
     const Corners tilted{{0, 0, 0}, {16, 0, 1}, {16, 16, 1}, {0, 16, 0}};
     CHECK(visible_areas<K>(SceneBuilder(area_16).quad(12, 4, 16, 8, .5).polygon(tilted).build()) ==
           std::map<int, double>{{1, 256}});
@@ -282,9 +286,10 @@ TEST_CASE_TEMPLATE("A polygon that is sorted last may be in front", K, VIDNO_REG
 }
 
 TEST_CASE_TEMPLATE("Cyclic overlap of three bars", K, VIDNO_REGION_KERNELS) {
-    // The level bar is over the slanted one, x - y from 2 to 4, where z = y / 16 <= 5/16; that is over the upright one for y >= 7,
-    // where z = 1 - 3 y / 32 <= 11/32; and that over the level one for y <= 5, where z >= 17/32. The bars have 14 * 3 = 42,
-    // 14 * 3 = 42 and 2 * 12 = 24; 3 * 3 = 9 of the level one are hidden, 2 * 3 = 6 of the upright and of the slanted one.
+    // The level bar is over the slanted one, x - y from 2 to 4, where z = y / 16 <= 5/16; that is over the upright one
+    // for y >= 7, where z = 1 - 3 y / 32 <= 11/32; and that over the level one for y <= 5, where z >= 17/32. The bars
+    // have 14 * 3 = 42, 14 * 3 = 42 and 2 * 12 = 24; 3 * 3 = 9 of the level one are hidden, 2 * 3 = 6 of the upright
+    // and of the slanted one.
     const AdmittedScene scene = SceneBuilder(area_16)
                                     .quad(1, 2, 15, 5, .5)
                                     .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
@@ -294,8 +299,9 @@ TEST_CASE_TEMPLATE("Cyclic overlap of three bars", K, VIDNO_REGION_KERNELS) {
 }
 
 TEST_CASE_TEMPLATE("Two triangles that pierce each other", K, VIDNO_REGION_KERNELS) {
-    // z = x / 16 and z = 1 - x / 16 meet at x = 8. Both have 16 * 8 / 2 = 64. At x they are 8 - x / 2 and x / 2 wide, about y = 8:
-    // left of the line the second hides 8 * 4 / 2 = 16 of the first, right of it the first as much of the second.
+    // z = x / 16 and z = 1 - x / 16 meet at x = 8. Both have 16 * 8 / 2 = 64. At x they are 8 - x / 2 and x / 2 wide,
+    // about y = 8: left of the line the second hides 8 * 4 / 2 = 16 of the first, right of it the first as much of the
+    // second.
     const AdmittedScene scene = SceneBuilder(area_16)
                                     .polygon({{0, 4, 0}, {16, 8, 1}, {0, 12, 0}})
                                     .polygon({{16, 4, 0}, {0, 8, 1}, {16, 12, 0}})
@@ -384,9 +390,10 @@ struct HearLabels : NoTrace {
 }  // namespace
 
 TEST_CASE("A run of Weiler and Atherton's algorithm reports each line of the listing that it reaches") {
-    // The second is sorted first, since it rises to z = 1/2 at x = 2, yet the first is nearer where it lies, over x <= 1. So the part
-    // inside the second one's outline becomes a list with both, and the rest of the second outside the first becomes a separate list.
-    // Their planes meet at x = 3/2, where the first is not, so they need not be clipped for that.
+    // The second is sorted first, since it rises to z = 1/2 at x = 2, yet the first is nearer where it lies, over x <=
+    // 1. So the part inside the second one's outline becomes a list with both, and the rest of the second outside the
+    // first becomes a separate list. Their planes meet at x = 3/2, where the first is not, so they need not be clipped
+    // for that.
     std::string heard;
     const AdmittedScene scene = SceneBuilder({0, 0, 2, 1})
                                     .quad(0, 0, 1, 1, .375)
@@ -575,8 +582,9 @@ struct CountExact {
 }  // namespace
 
 TEST_CASE_TEMPLATE("A constructed number is shown as the double nearest to it", K, Filtered, Exact) {
-    // From x = -2^20, the edge y = 1 + 3x/4 of the nearer triangle meets two edges of the other one, which leave its vertex (4, 2), at
-    // (36/11, 38/11) and (20/7, 22/7): the vectors (-8, 16)/11 and (-8, 8)/7 there span a triangle of area 64/77/2.
+    // From x = -2^20, the edge y = 1 + 3x/4 of the nearer triangle meets two edges of the other one, which leave its
+    // vertex (4, 2), at (36/11, 38/11) and (20/7, 22/7): the vectors (-8, 16)/11 and (-8, 8)/7 there span a triangle of
+    // area 64/77/2.
     const double x = -1048576;
     const AdmittedScene scene = SceneBuilder({int(x), 0, 4, 4})
                                     .polygon({{x + 3, 4, 0}, {x + 4, 2, 0}, {x + 2, 4, 0}})

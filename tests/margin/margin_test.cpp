@@ -1,4 +1,5 @@
-// Margins, checked in exact arithmetic against the geometry of the signs: vertices, and points where edges meet the window's sides.
+// Margins, checked in exact arithmetic against the geometry of the signs: vertices, and points where edges meet the
+// window's sides.
 
 #include "margin/margin.h"
 
@@ -148,7 +149,8 @@ struct Part {
 }  // namespace
 
 TEST_CASE("The edges of a triangle and a point: the half-planes are worked out by hand") {
-    // SurroundTest tests the corners of the window. For (0, 0) and the vertex C = (2, 6) of the triangle (1, 1), (9, 1), (2, 6):
+    // SurroundTest tests the corners of the window. For (0, 0) and the vertex C = (2, 6) of the triangle
+    // (1, 1), (9, 1), (2, 6):
     // from B = (9, 1) to C = (x, y): (x - 9)(0 - 1) - (y - 1)(0 - 9) = -x + 9 y;  at C it is 52, positive.
     // from C to A = (1, 1):          (1 - x)(0 - y) - (1 - y)(0 - x) = x - y;     at C it is -4, negative.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 8}).polygon({{1, 1, 0}, {9, 1, 0}, {2, 6, 0}}).build();
@@ -237,7 +239,8 @@ TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the 
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 const HalfPlane& line = lines[i];
                 if (!line.bounds) continue;
-                // The line along which one comes to this side, and the point: the side's own line, or the one that the region lies on.
+                // The line along which one comes to this side, and the point: the side's own line, or the one that the
+                // region lies on.
                 const bool leaves_line = line.sign == Sign::zero;
                 if (leaves_line && on.size() > 2) continue;
                 Place start{};
@@ -284,8 +287,8 @@ TEST_CASE("1,000 margins: no sign changes inside, and beyond a side exactly the 
                         dy = outward * along.a;
                     }
                 }
-                // Close enough that no other line is crossed, unless it meets this one there. Farther away more would change: a vertex
-                // beyond a side may pass its neighbour.
+                // Close enough that no other line is crossed, unless it meets this one there. Farther away more would
+                // change: a vertex beyond a side may pass its neighbour.
                 Rational far = 0x1p-40;
                 for (int halved = 0; halved < 200; ++halved, far /= 2) {
                     const Place p{start.x + dx * far, start.y + dy * far};

@@ -35,7 +35,8 @@ private:
     std::uint64_t state_;
 };
 
-/// x and y in thousandths of a pixel, z in units of 10^-10, so that eighths of a pixel and depths in 1/1024 are integers.
+/// x and y in thousandths of a pixel, z in units of 10^-10, so that eighths of a pixel and depths in 1/1024 are
+/// integers.
 struct Place {
     Whole x = 0, y = 0, z = 0;
 };

@@ -6,12 +6,12 @@
 ///     vidno_recorded GROUP --runs             prints the hash of each run in a line, to compare two programs
 ///     vidno_recorded GROUP --scene NAME       prints the scene
 ///
-/// A run is determined by a scene, a method with its edition and kernel, and a way to report it. A list of the hashes of all runs would be
-/// too long. So the file has one hash for all runs of each scene, one for all runs of each method, and one for all runs of each way. A run
-/// changed if the hashes of its scene, its method and its way changed.
+/// A run is determined by a scene, a method with its edition and kernel, and a way to report it. A list of the hashes
+/// of all runs would be too long. So the file has one hash for all runs of each scene, one for all runs of each method,
+/// and one for all runs of each way. A run changed if the hashes of its scene, its method and its way changed.
 ///
-/// To save time, the scenes take turns. Each runs at all levels, but it is checked at one level only, and under `exact` only a third of
-/// the scenes are checked. Its states are taken at one level, under one kernel.
+/// To save time, the scenes take turns. Each runs at all levels, but it is checked at one level only, and under `exact`
+/// only a third of the scenes are checked. Its states are taken at one level, under one kernel.
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -186,7 +186,8 @@ std::vector<FloatingHorizonMethod> floating_horizon_methods() {
 
 // Ways to report a run
 
-/// The results of a run without a trace: the picture or the lines, the number of calls of `progress`, and the regions if there are any.
+/// The results of a run without a trace: the picture or the lines, the number of calls of `progress`, and the regions
+/// if there are any.
 std::string result_of(RunRequest request) {
     std::uint64_t steps = 0;
     request.progress = [&] { ++steps; };
@@ -288,7 +289,8 @@ struct Turn {
         return all || (number % 3 == detail && (kernel != "exact" || number / 3 % 3 == 0));
     }
     bool counts(std::string_view kernel) const { return all || (number % 6 == 5 && kernel != "exact"); }
-    /// The effect of events on a state hardly depends on the kernel, so one kernel of doubles and one of fractions suffice.
+    /// The effect of events on a state hardly depends on the kernel, so one kernel of doubles and one of fractions
+    /// suffice.
     bool takes_states(std::size_t detail, std::string_view kernel) const {
         if (all) return kernel == "double" || kernel == "exact";
         return number / 3 % 3 == detail && kernel == (number / 9 % 2 == 0 ? "double" : "exact");
@@ -348,7 +350,8 @@ struct Table {
     std::uint64_t runs = 0;
 };
 
-/// The printed Z-buffer would step through all rows and columns as far as the distant vertices of this scene, which takes minutes.
+/// The printed Z-buffer would step through all rows and columns as far as the distant vertices of this scene, which
+/// takes minutes.
 bool never_ends(const NamedScene& scene, const PolygonMethod& each) {
     return scene.name == "12-ray-crossings/far" && each.method == Method::zbuffer && each.edition == Edition::printed;
 }

@@ -59,8 +59,8 @@ TEST_CASE("A square behind the corner of another one has two hidden pieces of ed
 }
 
 TEST_CASE("A border between two regions of one polygon is no line of the scene") {
-    // W rises to 1 at x = 12 and comes first. It cuts Q, at 3/4, along y = 2, but Q is in front: there W has x / 12 < 3/4.
-    // So that piece of the edge of W is hidden, and the border of the two regions of Q along it is not drawn.
+    // W rises to 1 at x = 12 and comes first. It cuts Q, at 3/4, along y = 2, but Q is in front: there W has x / 12 <
+    // 3/4. So that piece of the edge of W is hidden, and the border of the two regions of Q along it is not drawn.
     const AdmittedScene scene = test::SceneBuilder(test::area_16)
                                     .polygon({{0, 2, 0}, {12, 2, 1}, {12, 10, 1}, {0, 10, 0}})
                                     .quad(2, 0, 4, 6, .75)

@@ -354,8 +354,8 @@ TEST_CASE("Lists of 20,000 polygons do not slow a replay down") {
 }
 
 TEST_CASE("The largest area does not slow a replay down") {
-    // Each step fills one pixel of a diagonal, with its own colour. Each state of the area takes half a megabyte even if tiles are shared, so
-    // few of them are kept.
+    // Each step fills one pixel of a diagonal, with its own colour. Each state of the area takes half a megabyte even
+    // if tiles are shared, so few of them are kept.
     const int steps = 50000 / thinning;
     Scene scene{"", {0, 0, largest_side, largest_side}, white, {{"A", red, near_square}}};
     std::vector<std::string> lines{R"({"e":"push","at":"W3","window":[0,0,16384,16384],"apl":[]})",

@@ -1,4 +1,5 @@
-// What a run loses: an untraced run knows that it lost something exactly if its trace has a fault, and says which polygon and step.
+// What a run loses: an untraced run knows that it lost something exactly if its trace has a fault, and says which
+// polygon and step.
 
 #include <doctest/doctest.h>
 
@@ -43,7 +44,8 @@ double shown_area(RunRequest request) {
 constexpr std::array rounding{"float", "double", "bits:4", "bits:8", "bits:12", "bits:24"};
 constexpr std::array always_right{"filtered", "exact"};
 
-/// What the rounding of coordinates alone may change in an area of 8 x 8 pixels: each of its vertices moves by an ulp of 16.
+/// What the rounding of coordinates alone may change in an area of 8 x 8 pixels: each of its vertices moves by an ulp
+/// of 16.
 double tolerance(const NamedKernel& kernel) {
     const int bits = kernel.name() == "float" ? 24 : kernel.name() == "double" ? 53 : kernel.parameter;
     return std::ldexp(16.0 * 64, -bits);
@@ -151,7 +153,8 @@ TEST_CASE("Random and degenerate scenes: regions whose areas add up to another s
 }
 
 TEST_CASE("The losses of a run are the first ones, and a count of the others") {
-    // As printed, the row and the column just past the 16 x 16 pixels are written: 16 writes in column 16 and 17 in row 16.
+    // As printed, the row and the column just past the 16 x 16 pixels are written: 16 writes in column 16 and 17 in row
+    // 16.
     const AdmittedScene scene = SceneBuilder(area_16).quad(-2, -2, 18, 18, 0).build();
     const RunRequest request{Method::zbuffer, kernel_of(KernelKind::binary64), Edition::printed, scene};
     const auto losses = losses_of(request);

@@ -75,8 +75,8 @@ std::string changed(std::string text, const std::string& from, const std::string
 }  // namespace
 
 TEST_CASE("Surface: a function becomes curves on whole columns") {
-    // Over a column i of 8 x is i / 2. The left end of curve k is at (1 + 2 k, 12 - k); to the right the curve goes down by 4 / 8
-    // a column; half a pixel upward is one of y, and z is 2, 1, 0: 12 - k + i / 2 - (i / 2 + 2 - k) / 2.
+    // Over a column i of 8 x is i / 2. The left end of curve k is at (1 + 2 k, 12 - k); to the right the curve goes
+    // down by 4 / 8 a column; half a pixel upward is one of y, and z is 2, 1, 0: 12 - k + i / 2 - (i / 2 + 2 - k) / 2.
     const Surface surface = read_surface(small, "s.json");
     REQUIRE(surface.curves->curves.size() == 3);
     for (int k = 0; k < 3; ++k) {
@@ -199,7 +199,8 @@ TEST_CASE("Surface: sin(r) / r has a gap at r = 0, where it is not defined, and 
 }
 
 TEST_CASE("Surface: with a tolerance a gap begins and ends on the right columns") {
-    // Over column c of 16 x is c / 4 - 2. At z = 1 the half ball reaches to sqrt(3), and 1.5 < sqrt(3) < 1.75: columns 2 to 14.
+    // Over column c of 16 x is c / 4 - 2. At z = 1 the half ball reaches to sqrt(3), and 1.5 < sqrt(3) < 1.75: columns
+    // 2 to 14.
     FunctionSurface surface = seen_from_the_front(height_function(half_ball), 16, 3);
     surface.left = -2;
     surface.right = 2;
@@ -267,7 +268,8 @@ TEST_CASE("Surface: format, name and window have defaults") {
     const Surface drawn = read_surface(R"({"curves": [[[-2, 0.5], [3, 4]], [[0, 7.25], [1, 7]]]})", "s.json");
     CHECK(drawn.name.empty());
     CHECK_MESSAGE((drawn.curves->area == Area{-2, 0, 6, 8}), "columns -2 to 3, heights from 1/2 to 7 1/4");
-    // The curves of `small` are over the columns 1 to 13; they go from the row 10, at the farthest one's left end, down to the row 13.
+    // The curves of `small` are over the columns 1 to 13; they go from the row 10, at the farthest one's left end, down
+    // to the row 13.
     const std::string window = R"("window":{"x":0,"y":0,"width":20,"height":16},)";
     const Surface of_function = read_surface(changed(small, window, ""), "s.json");
     CHECK(of_function.curves->area == Area{1, 10, 13, 4});
@@ -295,8 +297,9 @@ TEST_CASE("Surface: the text's figure has a pit in its middle, and a wave around
     const std::string file = VIDNO_ROOT "/lessons/surfaces/waves-and-pit.json";
     const Surface surface = read_surface(read_file(file), file);
     REQUIRE(surface.curves->curves.size() == 41);
-    // In the middle of curve 20, x = z = pi, a = 0: y = sin(pi) cos(pi) / 5 - 3/2. On the screen, from the view: the end of the
-    // curve is at (20 + 40, 105 - 40), and the middle 100 columns and 30 rows farther, and 60 * 3/2 rows down.
+    // In the middle of curve 20, x = z = pi, a = 0: y = sin(pi) cos(pi) / 5 - 3/2. On the screen, from the view: the
+    // end of the curve is at (20 + 40, 105 - 40), and the middle 100 columns and 30 rows farther, and 60 * 3/2 rows
+    // down.
     CHECK(row_over(surface.curves->curves[20], 160) == doctest::Approx(65 + 30 + 90));
     // At the corner x = 0, z = 2 pi sin is 0, and exp(-2 pi^2) nearly so.
     CHECK(row_over(surface.curves->curves[0], 20) == doctest::Approx(105));

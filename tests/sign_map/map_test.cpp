@@ -159,8 +159,8 @@ TEST_CASE("Every decision of the lessons: double is wrong somewhere, filtered an
 }
 
 TEST_CASE("In float, and in fewer bits, all places are the same") {
-    // All places (1/2 + X u, 1/2 + Y u) are 1/2 in numbers of 24 bits, which lies on the line. So the answer is zero everywhere, and right
-    // on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: the sign is zero too.
+    // All places (1/2 + X u, 1/2 + Y u) are 1/2 in numbers of 24 bits, which lies on the line. So the answer is zero
+    // everywhere, and right on the diagonal. In 4 bits q - p = 11.5 is 12, r - p = 23.5 is 24: the sign is zero too.
     for (const auto* kernel : {"float", "bits:24", "bits:4"}) {
         CAPTURE(kernel);
         const SignMap map = map_of(lesson("kettner-2a"), kernel);
@@ -171,9 +171,10 @@ TEST_CASE("In float, and in fewer bits, all places are the same") {
 }
 
 TEST_CASE("SurroundTest: outside of a triangle's tip, and held by double") {
-    // The tip is A = (1/2 + 32 u, 1/2 + 32 u), B = (24, 12), C = (24, 24), and p = (1/2, 1/2 + 32 u). With d = 23.5 - 32 u
-    // the edge from C to A has the cross product (A - C) x (p - C) = d d - 23.5 d = -32 u d < 0, the others more than 0:
-    // p is outside. As doubles, 2^-43 apart here, both products are 23.5 * 23.5 - 2^-43: no side, and that edge is passed.
+    // The tip is A = (1/2 + 32 u, 1/2 + 32 u), B = (24, 12), C = (24, 24), and p = (1/2, 1/2 + 32 u). With d = 23.5 -
+    // 32 u the edge from C to A has the cross product (A - C) x (p - C) = d d - 23.5 d = -32 u d < 0, the others more
+    // than 0: p is outside. As doubles, 2^-43 apart here, both products are 23.5 * 23.5 - 2^-43: no side, and that edge
+    // is passed.
     const MappedDecision decision = lesson("surround");
     const SignMap::Cell cell = map_of(decision, "double").at(0, 32);
     CHECK(cell.computed == Sign::positive);
@@ -182,9 +183,10 @@ TEST_CASE("SurroundTest: outside of a triangle's tip, and held by double") {
 }
 
 TEST_CASE("Clip side: a step of p that the computed cut does not follow") {
-    // p and q lie on the diagonal, as the corner does; so above it, y growing, the cut is left of the corner: outside. The
-    // cut's x is a double near 12, p.x + (q.x - p.x) t; a step of 2^-53 is lost in q.x - p.x = 23.5 and in the sum, and
-    // p.y does not change: the computed answer is one, and the truth is zero at the first place, negative at the next.
+    // p and q lie on the diagonal, as the corner does; so above it, y growing, the cut is left of the corner: outside.
+    // The cut's x is a double near 12, p.x + (q.x - p.x) t; a step of 2^-53 is lost in q.x - p.x = 23.5 and in the sum,
+    // and p.y does not change: the computed answer is one, and the truth is zero at the first place, negative at the
+    // next.
     const MappedDecision decision = lesson("clip");
     const SignMap by_double = map_of(decision, "double");
     CHECK(by_double.at(0, 0).computed == by_double.at(1, 0).computed);
@@ -193,7 +195,8 @@ TEST_CASE("Clip side: a step of p that the computed cut does not follow") {
 }
 
 TEST_CASE("Depth order: planes that doubles cannot distinguish") {
-    // At x = 1 - 2^-5 + X u one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54, which no double near 1/4 can show.
+    // At x = 1 - 2^-5 + X u one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54, which no double near 1/4 can
+    // show.
     const double low = .25 - 0x1p-54;
     const MappedDecision decision{
         "",

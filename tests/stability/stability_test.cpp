@@ -1,5 +1,5 @@
-// Campaigns: the families and perturbations, the counts of a trial, and that results add up to the same whether the campaign runs
-// whole, in shards, or is continued after a kill.
+// Campaigns: the families and perturbations, the counts of a trial, and that results add up to the same whether the
+// campaign runs whole, in shards, or is continued after a kill.
 
 #include "stability/results.h"
 
@@ -179,8 +179,8 @@ TEST_CASE("A wrong result breaks the promise of an always right kernel only") {
 }
 
 TEST_CASE("Flicker: a pixel that changes though it should not") {
-    // Both left sides lie right of the centres of the first column, which should stay white. As floats, which have steps of
-    // 2^-24 there, the first is 1/2 and holds them, the second is 1/2 + 2^-24 and does not.
+    // Both left sides lie right of the centres of the first column, which should stay white. As floats, which have
+    // steps of 2^-24 there, the first is 1/2 and holds them, the second is 1/2 + 2^-24 and does not.
     const auto scene_from = [](double left) { return SceneBuilder({0, 0, 8, 8}).quad(left, 0, 8, 8, 0).build(); };
     const std::vector<AdmittedScene> series{scene_from(.5 + 0x1p-26), scene_from(.5 + 3 * 0x1p-26)};
     for (const Method method : {Method::warnock, Method::zbuffer}) {
@@ -206,8 +206,9 @@ TEST_CASE("No flicker: a pixel that changes because it should") {
 }
 
 TEST_CASE("Growth of windows: beside a triangle, the windows in its box split down to pixels") {
-    // A triangle on one side of the diagonal, in front of a backdrop. A window of side 2^m on the diagonal counts itself, two such windows
-    // of half the side, one in the triangle, which covers it, and one beside the triangle: still in its box, so it splits down to pixels.
+    // A triangle on one side of the diagonal, in front of a backdrop. A window of side 2^m on the diagonal counts
+    // itself, two such windows of half the side, one in the triangle, which covers it, and one beside the triangle:
+    // still in its box, so it splits down to pixels.
     std::array<std::uint64_t, 6> beside{1}, on_diagonal{1};
     for (std::size_t m = 1; m < beside.size(); ++m) {
         beside[m] = 1 + 4 * beside[m - 1];
@@ -256,7 +257,8 @@ TEST_CASE("A killed run is continued: its partial block runs again") {
 TEST_CASE("A campaign that is extended has the bytes of one that had as many trials from the start" *
           doctest::skip(sanitized)) {
     const Workplace work;
-    // Rounds have 128 trials that move coordinates: the last is whole, or grows, and `swept` has a trial in every other one.
+    // Rounds have 128 trials that move coordinates: the last is whole, or grows, and `swept` has a trial in every other
+    // one.
     for (const auto& counts : {std::pair(128, 300), std::pair(2, 3), std::pair(130, 257)}) {
         const auto before = std::uint64_t(counts.first), after = std::uint64_t(counts.second);
         CAPTURE(after);
@@ -290,8 +292,8 @@ TEST_CASE("Each trial of a campaign is in one block, before and after files name
 }
 
 TEST_CASE("A file written before campaigns had all methods is continued byte for byte") {
-    // Written by an earlier program: vidno stability --seed 5 --count 1 --family triangles steep --kernel double. The decisions of the
-    // Z-buffer were counted again later, since it now sorts its active edges with fewer comparisons.
+    // Written by an earlier program: vidno stability --seed 5 --count 1 --family triangles steep --kernel double. The
+    // decisions of the Z-buffer were counted again later, since it now sorts its active edges with fewer comparisons.
     const Workplace work;
     const std::string expected = read_file(VIDNO_ROOT "/tests/stability/campaign-of-before.jsonl");
     const std::string file = work.write("half", expected.substr(0, expected.size() / 2));
@@ -423,7 +425,8 @@ TEST_CASE("Journal: a file system without locks is refused for what it is") {
 }
 
 TEST_CASE("Touching: a vertex of the second triangle lies on an edge of the first, exactly") {
-    // Corners are whole numbers and the place on the edge an eighth: the cross product is one of whole numbers, without rounding.
+    // Corners are whole numbers and the place on the edge an eighth: the cross product is one of whole numbers, without
+    // rounding.
     const Family& family = family_of("touching");
     RandomPolygons random(std::mt19937(4));
     for (int i = 0; i < 200; ++i) {
@@ -460,7 +463,8 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
 }
 
 TEST_CASE("Shrinking keeps only the curves, samples and binary places that a property needs") {
-    // The property: a curve is above 2 over column 3. One curve of two samples with whole heights, 3 and 0 or 1, has it.
+    // The property: a curve is above 2 over column 3. One curve of two samples with whole heights, 3 and 0 or 1, has
+    // it.
     const AdmittedCurves scene = CurveSceneBuilder({0, 0, 9, 9})
                                      .curve({{0, 1.25}, {4, 1}, {8, 1}})
                                      .curve({{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}})

@@ -1,4 +1,5 @@
-/// Checks that the quick readers and the tree readers agree: for every text that a quick reader accepts, both give the same result.
+/// Checks that the quick readers and the tree readers agree: for every text that a quick reader accepts, both give the
+/// same result.
 #pragma once
 
 #include <string>

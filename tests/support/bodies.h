@@ -11,8 +11,8 @@ namespace vidno::test {
 
 using Faces = std::vector<Corners>;
 
-/// The faces of the parallelepiped with a corner o and edges u, v and w. If these are short binary fractions, their sums are exact and the
-/// faces are planar.
+/// The faces of the parallelepiped with a corner o and edges u, v and w. If these are short binary fractions, their
+/// sums are exact and the faces are planar.
 inline Faces parallelepiped(const glm::dvec3& o, glm::dvec3 u, glm::dvec3 v, const glm::dvec3& w) {
     if (glm::dot(glm::cross(u, v), w) > 0) std::swap(u, v);  // y grows downward
     const auto face = [](const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b) {

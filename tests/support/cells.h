@@ -1,4 +1,5 @@
-/// Regions as sets of the convex cells into which lines divide the plane, in rationals. Nothing here shares code with the procedures.
+/// Regions as sets of the convex cells into which lines divide the plane, in rationals. Nothing here shares code with
+/// the procedures.
 #pragma once
 
 #include <map>
@@ -14,7 +15,8 @@ namespace vidno::test {
 /// From one place to another, by their numbers. The cell to which it belongs is on its positive side.
 using Segment = std::pair<int, int>;
 
-/// The convex cells into which lines divide a convex outline. A segment separates two cells, and both have its ends as corners.
+/// The convex cells into which lines divide a convex outline. A segment separates two cells, and both have its ends as
+/// corners.
 class Cells {
 public:
     /// The outline has its inside on its positive side.
@@ -57,7 +59,8 @@ public:
         return segments;
     }
 
-    /// The segment of a boundary that follows another one round a corner of the region, through the cells at that corner.
+    /// The segment of a boundary that follows another one round a corner of the region, through the cells at that
+    /// corner.
     Segment following(const std::set<Segment>& boundary, const Segment& segment) const {
         const int at = segment.second;
         int to = following_.at(segment);
@@ -104,7 +107,8 @@ private:
     std::map<Segment, int> following_;  // the corner after a segment of a cell
 };
 
-/// A segment of an outline, and the line of the scene on which it lies, by its number. Several lines may run through the same places.
+/// A segment of an outline, and the line of the scene on which it lies, by its number. Several lines may run through
+/// the same places.
 struct OutlineSegment {
     Segment segment;
     int line;
@@ -131,8 +135,8 @@ struct OutlineEdge {
 /// A set of cells with its outlines. Each outline has the region on its positive side.
 class CellRegion {
 public:
-    /// Outlines begin with the first of the segments that is on them. Each segment of the boundary must be among them; the first one for
-    /// it gives its line.
+    /// Outlines begin with the first of the segments that is on them. Each segment of the boundary must be among them;
+    /// the first one for it gives its line.
     CellRegion(const Cells& arrangement, std::set<int> some, const std::vector<OutlineSegment>& segments)
         : cells(std::move(some)) {
         const std::set<Segment> boundary = arrangement.boundary(cells);

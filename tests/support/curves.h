@@ -1,5 +1,5 @@
-/// Curves for tests: a builder, and the rule of the floating horizon by brute force in exact rationals, written from the rule
-/// and not from the procedures.
+/// Curves for tests: a builder, and the rule of the floating horizon by brute force in exact rationals, written from
+/// the rule and not from the procedures.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
@@ -49,7 +49,8 @@ public:
     const Cell& upper(int x) const { return upper_[index(x)]; }
     const Cell& lower(int x) const { return lower_[index(x)]; }
 
-    /// Whether the curve has a point at x, on the line between neighbouring samples that both have one; and its height there.
+    /// Whether the curve has a point at x, on the line between neighbouring samples that both have one; and its height
+    /// there.
     static bool reaches(const Curve& curve, const Number& x);
     static Number height(const Curve& curve, const Number& x);
 

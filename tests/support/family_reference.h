@@ -1,5 +1,5 @@
-/// The expected results of the Warnock family, by brute force in exact rationals: relations by clipping, pictures with the variations
-/// of the picture rule. Independent of kernels and procedures.
+/// The expected results of the Warnock family, by brute force in exact rationals: relations by clipping, pictures with
+/// the variations of the picture rule. Independent of kernels and procedures.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
@@ -42,7 +42,8 @@ inline bool holds(const std::vector<ExactPoint>& outline, const ExactPoint& poin
     return own != 0 && around == CGAL::abs(own);
 }
 
-/// The relation by its definition: the part of the polygon in the closed window decides whether it reaches into the open window.
+/// The relation by its definition: the part of the polygon in the closed window decides whether it reaches into the
+/// open window.
 class RelationReference {
 public:
     explicit RelationReference(const Window& window)
@@ -91,8 +92,8 @@ private:
     ExactNumber left_, right_, top_, bottom_;
 };
 
-/// The depth of a polygon that is not edge-on at a point: that of the plane of Newell's sum about its first vertex. None if the
-/// polygon does not hold the point.
+/// The depth of a polygon that is not edge-on at a point: that of the plane of Newell's sum about its first vertex.
+/// None if the polygon does not hold the point.
 inline std::optional<ExactNumber> plane_depth(const ScenePolygon& polygon, const ExactPoint& point) {
     if (!holds(exact_outline(polygon), point)) return std::nullopt;
     const auto& v = polygon.vertices;
@@ -108,7 +109,8 @@ inline std::optional<ExactNumber> plane_depth(const ScenePolygon& polygon, const
     return v[0].z - (a * (point.x - v[0].x) + b * (point.y - v[0].y)) / c;
 }
 
-/// The nearest depth of an edge-on polygon where a line of sight meets it, perhaps along an edge. None if it misses the polygon.
+/// The nearest depth of an edge-on polygon where a line of sight meets it, perhaps along an edge. None if it misses the
+/// polygon.
 inline std::optional<ExactNumber> edge_on_depth(const ScenePolygon& polygon, const ExactPoint& point) {
     std::optional<ExactNumber> nearest;
     const auto take = [&](const ExactNumber& z) { nearest = nearest ? std::max(*nearest, z) : z; };

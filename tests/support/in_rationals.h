@@ -86,8 +86,8 @@ inline Rational beyond(int side, const Window& window, const Place& p) {
     }
 }
 
-/// A convex outline without its part where `beyond(place)`, a linear function, is positive. It starts with the edge that ends at the first
-/// vertex.
+/// A convex outline without its part where `beyond(place)`, a linear function, is positive. It starts with the edge
+/// that ends at the first vertex.
 Places cut_off(const Places& outline, auto&& beyond) {
     Places inside;
     for (std::size_t i = 0; i < outline.size(); ++i) {

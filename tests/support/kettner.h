@@ -1,7 +1,8 @@
-/// The published maps of the orientation test: p takes 256 x 256 positions in steps of 2^-53 near the line through q and r.
+/// The published maps of the orientation test: p takes 256 x 256 positions in steps of 2^-53 near the line through q
+/// and r.
 ///
-/// Source  L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of robustness problems in geometric
-///         computations, Computational Geometry 40(1), 2008, figure 2.
+/// Source  L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of robustness problems in
+///         geometric computations, Computational Geometry 40(1), 2008, figure 2.
 #pragma once
 
 #include <array>

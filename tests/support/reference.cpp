@@ -79,7 +79,8 @@ Reference::Facet Reference::facet_of(const ScenePolygon& polygon, const Integer&
     }
     Facet facet{polygon.color, {}, 0, {}, 0};
 
-    // The normal of the plane through the first vertex: the sum of those of the fan about it. Its z is the doubled area.
+    // The normal of the plane through the first vertex: the sum of those of the fan about it. Its z is the doubled
+    // area.
     Corner normal{0, 0, 0};
     for (std::size_t i = 0; i < v.size(); ++i) {
         const Corner& p = v[i];

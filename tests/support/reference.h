@@ -10,8 +10,9 @@
 
 namespace vidno::test {
 
-/// All x and y of a scene, and its pixel centres, become whole numbers when multiplied by the largest of their denominators,
-/// which are powers of two; its z likewise with another factor. Unlike rationals, whole numbers need no common divisors.
+/// All x and y of a scene, and its pixel centres, become whole numbers when multiplied by the largest of their
+/// denominators, which are powers of two; its z likewise with another factor. Unlike rationals, whole numbers need no
+/// common divisors.
 class Reference {
 public:
     /// Queried points are multiples of `finest`, a power of two, or of the coordinates' own last digits.

@@ -34,8 +34,8 @@ inline constexpr Area area_16{0, 0, 16, 16};
 /// Three polygons that overlap, on the coarsest grid, so that every kernel takes them unchanged.
 AdmittedScene small_scene();
 
-/// With sanitizers a run takes ten times as long. The longest tests then take only one in `thinning` of their scenes or steps, and tests
-/// of long runs by code that other tests run too are skipped.
+/// With sanitizers a run takes ten times as long. The longest tests then take only one in `thinning` of their scenes or
+/// steps, and tests of long runs by code that other tests run too are skipped.
 #ifdef VIDNO_SANITIZED
 inline constexpr bool sanitized = true;
 inline constexpr int thinning = 8;
@@ -52,7 +52,8 @@ struct RandomScenes : RandomPolygons {
     AdmittedScene scene();
 };
 
-/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. None if a polygon is no longer admitted.
+/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. None if a polygon is no longer
+/// admitted.
 std::optional<AdmittedScene> moved_by_ulps(Scene scene, RandomScenes& random);
 
 }  // namespace vidno::test

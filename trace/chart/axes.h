@@ -22,7 +22,8 @@ struct ErrorAxis {
     double (*of)(const Run&);
 };
 
-/// The share of wrong decisions among those whose truth is known, since runs take different numbers of decisions. 0 if there are none.
+/// The share of wrong decisions among those whose truth is known, since runs take different numbers of decisions. 0 if
+/// there are none.
 template <class Run>
 inline constexpr ErrorAxis<Run> wrong_decisions_axis{
     "wrongDecisions", [](const Run& run) {
@@ -34,8 +35,8 @@ using CostAxes = std::array<CostAxis<Run>, count>;
 template <class Run, std::size_t count>
 using ErrorAxes = std::array<ErrorAxis<Run>, count>;
 
-/// For each cost and error, by index: is the run on the front? No other run is better in one and at least as good in the other, and no
-/// equal one comes before it.
+/// For each cost and error, by index: is the run on the front? No other run is better in one and at least as good in
+/// the other, and no equal one comes before it.
 template <std::size_t costs, std::size_t errors>
 using Fronts = std::array<std::array<bool, errors>, costs>;
 

@@ -1,5 +1,5 @@
-/// SurfaceChart: the cost of each sampling of a surface, and the distance of its drawing from the function. Chart does the same for
-/// scenes.
+/// SurfaceChart: the cost of each sampling of a surface, and the distance of its drawing from the function. Chart does
+/// the same for scenes.
 #pragma once
 
 #include <array>
@@ -15,8 +15,9 @@
 
 namespace vidno {
 
-/// How a surface is sampled if not as its file says: evenly, with a number of samples per curve; or from the ends of each curve, with
-/// one more sample halfway wherever the curve is farther than a tolerance, in pixels, from the line between two.
+/// How a surface is sampled if not as its file says: evenly, with a number of samples per curve; or from the ends of
+/// each curve, with one more sample halfway wherever the curve is farther than a tolerance, in pixels, from the line
+/// between two.
 enum class SamplingKnob : unsigned char { samples, tolerance };
 inline constexpr std::array<std::string_view, 2> sampling_knob_names{"samples", "tolerance"};
 
@@ -28,8 +29,8 @@ struct SurfaceWay {
     double value = 0;  // its setting
 };
 
-/// The elementary steps of the listings: columns compared with the horizons, columns covered by Horizon, columns examined by
-/// Intersection, and crossings computed.
+/// The elementary steps of the listings: columns compared with the horizons, columns covered by Horizon, columns
+/// examined by Intersection, and crossings computed.
 enum class FloatingHorizonOperation : unsigned char { visibilities, horizons, steps, crossings };
 inline constexpr std::array<std::string_view, 4> floating_horizon_operation_names{"visibilities", "horizons", "steps",
                                                                                   "crossings"};
@@ -68,7 +69,8 @@ struct SurfaceChart {
     std::string surface{};  // its file, as it samples it
 };
 
-/// Runs the sampling of the file, and both knobs at each setting, under each kernel that runs curves, in each edition that this kernel runs.
+/// Runs the sampling of the file, and both knobs at each setting, under each kernel that runs curves, in each edition
+/// that this kernel runs.
 std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
 
 /// The total over all curves; a chart takes no more.

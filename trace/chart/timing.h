@@ -6,8 +6,8 @@
 
 namespace vidno {
 
-/// The seconds that each run needs: the median of several rounds, in each of which every run is timed once. A run that is too short for
-/// the clock is repeated. `progress` is called after each measurement.
+/// The seconds that each run needs: the median of several rounds, in each of which every run is timed once. A run that
+/// is too short for the clock is repeated. `progress` is called after each measurement.
 std::vector<double> median_seconds(const std::vector<std::function<void()>>& runs, int rounds,
                                    const std::function<void()>& progress);
 

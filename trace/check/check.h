@@ -18,9 +18,10 @@ struct CheckReport : DecisionReport {
 /// What the scene should show, by the picture rule or by the method's variation of it.
 Picture right_picture(const AdmittedScene& scene, Method method = Method::zbuffer);
 
-/// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under `exact`, until
-/// they diverge. The pixels are compared with `right`, the right picture of the scene, or of the scene before it was snapped. `hear`
-/// hears every step. `findings`, if given, are collected from the run; under `filtered`, `grid` and `exact`, from the run under `exact`.
+/// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
+/// `exact`, until they diverge. The pixels are compared with `right`, the right picture of the scene, or of the scene
+/// before it was snapped. `hear` hears every step. `findings`, if given, are collected from the run; under `filtered`,
+/// `grid` and `exact`, from the run under `exact`.
 CheckReport check_run(
     const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {},
     FindingList* findings = nullptr);
@@ -33,9 +34,9 @@ struct FloatingHorizonCheckReport : DecisionReport {
     bool found_something() const { return wrong_columns > 0 || any_wrong(); }
 };
 
-/// Runs the curves and compares every decision of Visibility, and under `float`, `double` and `bits` every comparison, with the exact one
-/// along the path that was taken. Compares the lines with those of the corrected procedures in exact arithmetic. `hear` hears each event
-/// of level `signs`.
+/// Runs the curves and compares every decision of Visibility, and under `float`, `double` and `bits` every comparison,
+/// with the exact one along the path that was taken. Compares the lines with those of the corrected procedures in exact
+/// arithmetic. `hear` hears each event of level `signs`.
 FloatingHorizonCheckReport check_run(
     const FloatingHorizonRequest& request, const HearEvent& hear = [](const auto&) {}, FindingList* findings = nullptr);
 

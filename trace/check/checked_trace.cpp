@@ -78,8 +78,8 @@ JudgedDecision columns_of(JudgedDecision first, JudgedDecision columns) {
     return columns;
 }
 
-/// The verdict on an event's decision: the last one of its kind. None if it was not judged, like columns in an edition that leaves out
-/// the ends. Only wrong decisions keep their operands.
+/// The verdict on an event's decision: the last one of its kind. None if it was not judged, like columns in an edition
+/// that leaves out the ends. Only wrong decisions keep their operands.
 std::optional<JudgedDecision> judged(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
     const auto find = [&](Decision of) {
         return std::find_if(decisions.rbegin(), decisions.rend(), [&](auto& each) { return each.of == of; });

@@ -12,7 +12,8 @@
 
 namespace vidno {
 
-/// The decisions that the events of a trace report. Only these and wrong ones need their operands, which take most of the time.
+/// The decisions that the events of a trace report. Only these and wrong ones need their operands, which take most of
+/// the time.
 struct DecisionsTold {
     Detail detail;
     bool of_regions = false;  // of Weiler and Atherton's algorithm
@@ -23,8 +24,8 @@ struct DecisionsTold {
 /// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
-    /// `operands` and `right` hold the operands and the right answer of each event that reports a decision, in the order of the events, from a
-    /// run under `exact`. If they are empty, those of the verdicts are used.
+    /// `operands` and `right` hold the operands and the right answer of each event that reports a decision, in the
+    /// order of the events, from a run under `exact`. If they are empty, those of the verdicts are used.
     CheckedTrace(DecisionsTold told, TraceWriter& writer, std::vector<Operands> operands = {},
                  std::vector<Answer> right = {})
         : told_(told), writer_(&writer), operands_(std::move(operands)), right_(std::move(right)) {}

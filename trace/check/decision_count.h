@@ -19,7 +19,8 @@ struct ProcedureVerdicts {
     std::uint64_t wrong_for_operands = 0;  // the operation rounded
     std::uint64_t wrong_for_scene = 0;     // that, or its operands had drifted
     std::uint64_t undefined = 0;           // no truth: after a wrong turn
-    // The steps of level `signs`, from 1, that report the first of these or follow it. At the first a checked trace has a `disagree`.
+    // The steps of level `signs`, from 1, that report the first of these or follow it. At the first a checked trace has
+    // a `disagree`.
     std::optional<std::uint64_t> first_wrong{};
     std::optional<std::uint64_t> first_wrong_for_operands{};
 

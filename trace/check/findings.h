@@ -1,5 +1,6 @@
-/// Findings: the decisions of a judged run that are worth examining: wrong ones, those that rest on an exact coincidence, and the
-/// narrowest of the others; and constructed points that are an error. FORMAT.md describes their file.
+/// Findings: the decisions of a judged run that are worth examining: wrong ones, those that rest on an exact
+/// coincidence, and the narrowest of the others; and constructed points that are an error. FORMAT.md describes their
+/// file.
 #pragma once
 
 #include <array>
@@ -36,7 +37,8 @@ struct Finding {
 /// Collects findings during a run. It hears each event of level `signs`, and before it what followers hear.
 class FindingList {
 public:
-    /// `narrowest` is the number of narrow decisions that are listed. All zeros are counted, and the first `most_zeros` are listed.
+    /// `narrowest` is the number of narrow decisions that are listed. All zeros are counted, and the first `most_zeros`
+    /// are listed.
     FindingList(Procedure method, const Area& area, std::size_t narrowest = 20,
                 std::size_t most_zeros = std::size_t(-1));
 
@@ -77,7 +79,8 @@ private:
     std::array<Zeros, coincidence_names.size()> zeros_{};
 };
 
-/// Executes a run for its findings. For a kernel that is always right it runs `exact`, whose decisions and events are the same.
+/// Executes a run for its findings. For a kernel that is always right it runs `exact`, whose decisions and events are
+/// the same.
 void find_in(RunRequest request, FindingList& findings);
 void find_in(FloatingHorizonRequest request, FindingList& findings);
 

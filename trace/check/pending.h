@@ -1,4 +1,5 @@
-/// Pending: the decisions heard since the last event, kept until the event that reports them or is the first after them.
+/// Pending: the decisions heard since the last event, kept until the event that reports them or is the first after
+/// them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,8 @@ class Pending {
 public:
     void add(T heard) { heard_.push_back(std::move(heard)); }
 
-    /// The decisions of this event, in order. ShowLine finds its columns before it reports the slope, and reports them after it.
+    /// The decisions of this event, in order. ShowLine finds its columns before it reports the slope, and reports them
+    /// after it.
     std::vector<T> told_by(const EventView& event) {
         if (heard_.empty() || !event.get_if<event::Slope>()) return rest();
         const auto waits = [](const T& each) {

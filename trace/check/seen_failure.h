@@ -12,8 +12,8 @@
 namespace vidno {
 
 struct SeenFailure {
-    /// The step in a trace of level `signs`: that of the first wrong decision, or one that is visibly wrong. None if no single step shows
-    /// the failure.
+    /// The step in a trace of level `signs`: that of the first wrong decision, or one that is visibly wrong. None if no
+    /// single step shows the failure.
     std::optional<std::uint64_t> step;
     /// The decision and the exact one, or the painted colour and the right one.
     Failure::Words there;

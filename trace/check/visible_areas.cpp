@@ -16,8 +16,8 @@ using Place = Point<Rational>;
 /// The floor of a number as a whole number low <= i < end; for the number `end` itself, the last of them.
 int floor_of(const Rational& value, int low, int end) { return Exact{}.last_centre(value + Rational(1) / 2, low, end); }
 
-/// The part of each pixel of a row that a region covers. It is the sum, over the edges, of the area between the edge and the pixel's left
-/// side, positive for an edge that goes down and negative for one that goes up.
+/// The part of each pixel of a row that a region covers. It is the sum, over the edges, of the area between the edge
+/// and the pixel's left side, positive for an edge that goes down and negative for one that goes up.
 class RowOfPixels {
 public:
     RowOfPixels(const Area& area, int row)

@@ -1,4 +1,5 @@
-/// VisibleAreas: the exact area of each colour in each pixel, by the visible regions of Weiler and Atherton's algorithm.
+/// VisibleAreas: the exact area of each colour in each pixel, by the visible regions of Weiler and Atherton's
+/// algorithm.
 #pragma once
 
 #include <utility>

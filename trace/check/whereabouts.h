@@ -1,4 +1,5 @@
-/// Whereabouts: the subject of a decision, by the events before it: its polygons, and the pixels whose colour it may change.
+/// Whereabouts: the subject of a decision, by the events before it: its polygons, and the pixels whose colour it may
+/// change.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@ public:
     /// Hears every event of level `signs`.
     void follow(const EventView& event);
 
-    // For the decisions that this event reports or is the first to follow. Query them before the event is heard. The polygon of
-    // FillPolygon is not known before `draw`.
+    // For the decisions that this event reports or is the first to follow. Query them before the event is heard. The
+    // polygon of FillPolygon is not known before `draw`.
 
     std::vector<PolygonPlace> polygons(const EventView& event) const;
 

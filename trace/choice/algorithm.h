@@ -1,4 +1,5 @@
-/// Algorithm: what a method belongs to. The methods of one algorithm hold the same state and share their parts of a figure.
+/// Algorithm: what a method belongs to. The methods of one algorithm hold the same state and share their parts of a
+/// figure.
 #pragma once
 
 #include <cstddef>

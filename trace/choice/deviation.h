@@ -1,5 +1,5 @@
-/// Deviation: a place of a procedure that may run differently from the corrected text. The defects of the printed text and the usual
-/// mistakes are one table, from which editions, command line, page and atlas take them.
+/// Deviation: a place of a procedure that may run differently from the corrected text. The defects of the printed text
+/// and the usual mistakes are one table, from which editions, command line, page and atlas take them.
 #pragma once
 
 #include <algorithm>

@@ -137,7 +137,8 @@ struct NamedKernel {
 /// None if no kernel has this name, or its parameter is missing or out of range.
 std::optional<NamedKernel> kernel_named(std::string_view name);
 
-/// The kernel of a kind that is named without a parameter: `filtered`, `grid:8`. The kind must not be `bits` or `depth`.
+/// The kernel of a kind that is named without a parameter: `filtered`, `grid:8`. The kind must not be `bits` or
+/// `depth`.
 NamedKernel kernel_of(KernelKind kind);
 
 /// All names: "float, double, bits:P (4 <= P <= 24), ...".

@@ -29,8 +29,8 @@ struct MethodChoice {
     Procedure procedure = Procedure::three_lists_warnock;  // the first one
     MethodRule rule = picture_rule;
     bool takes_closed_bodies = false;  // those of vidno/family/closed_bodies.h alone
-    /// It begins with the area and cuts windows along any boundaries of pixels; the others quarter a square, or a window one pixel
-    /// wide or high into halves.
+    /// It begins with the area and cuts windows along any boundaries of pixels; the others quarter a square, or a
+    /// window one pixel wide or high into halves.
     bool cuts_anywhere = false;
 };
 

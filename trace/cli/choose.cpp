@@ -29,8 +29,8 @@ struct Candidate {
     RunRequest request() const { return {method, kernel, Edition::corrected, scene}; }
 };
 
-/// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene. Methods that do
-/// more than paint are left out.
+/// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the
+/// scene. Methods that do more than paint are left out.
 std::vector<Candidate> candidates_for(const AdmittedScene& scene) {
     const NamedKernel grid = kernel_of(KernelKind::grid);
     std::optional<AdmittedScene> on_grid;
@@ -58,8 +58,8 @@ std::uint64_t sum_of(const auto& counts) {
     return sum;
 }
 
-/// Confirms that the picture is right: compares each decision of the run under `filtered` with exact arithmetic. False if one was not
-/// confirmed.
+/// Confirms that the picture is right: compares each decision of the run under `filtered` with exact arithmetic. False
+/// if one was not confirmed.
 bool print_certificate(const Candidate& chosen, const AdmittedScene& scene) {
     const RunRequest filtered{chosen.method, kernel_of(KernelKind::filtered), Edition::corrected, scene};
     const CheckReport certain = check_run(filtered, right_picture(scene));

@@ -1,7 +1,7 @@
 /// The commands of the program, each in a file with its name.
 ///
-/// `add_...` adds a command with its options. If the command line names it, it runs and sets the exit status: 0 done, 1 done and
-/// something was found. It throws Refused for input that it does not take.
+/// `add_...` adds a command with its options. If the command line names it, it runs and sets the exit status: 0 done, 1
+/// done and something was found. It throws Refused for input that it does not take.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,8 @@ void add_stability(CLI::App& program, int& status);
 void add_methods(CLI::App& program, int& status);
 void add_describe(CLI::App& program, int& status);
 
-/// The commands of this program, in the order of the help. commands.cpp lists all; node/commands.cpp lists those of `npx vidno`.
+/// The commands of this program, in the order of the help. commands.cpp lists all; node/commands.cpp lists those of
+/// `npx vidno`.
 extern const std::span<void (*const)(CLI::App& program, int& status)> commands;
 
 }  // namespace vidno::cli

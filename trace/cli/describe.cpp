@@ -1,4 +1,5 @@
-/// What the program says about itself, for its packages: the manual and the completions, derived from the tables of options.
+/// What the program says about itself, for its packages: the manual and the completions, derived from the tables of
+/// options.
 #include <iostream>
 #include <sstream>
 
@@ -26,8 +27,8 @@ std::vector<std::string> names_of(const CLI::Option& option) {
     return names;
 }
 
-/// The words of which an option takes one. CLI11 names them in the option's type: "TEXT:{a,b}", or the kernels as "TEXT:a, b:P (why), c".
-/// A word with a parameter is left out. Empty for a file or a number.
+/// The words of which an option takes one. CLI11 names them in the option's type: "TEXT:{a,b}", or the kernels as
+/// "TEXT:a, b:P (why), c". A word with a parameter is left out. Empty for a file or a number.
 std::vector<std::string> choices_of(const CLI::Option& option) {
     std::string type = option.get_type_name();
     if (type.find(',') == type.npos) return {};
@@ -47,7 +48,8 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
     return text;
 }
 
-// The manual ------------------------------------------------------------------------------------------------------------------------
+// The manual
+// ------------------------------------------------------------
 
 /// Text as roff reads it unchanged.
 std::string roff(const std::string& text) {
@@ -100,7 +102,8 @@ void write_manual(std::ostream& out, const CLI::App& program) {
     for (const CLI::App* each : commands_of(program)) write_command(out, *each, each->get_name());
 }
 
-// Completions -----------------------------------------------------------------------------------------------------------------------
+// Completions
+// ------------------------------------------------------------
 
 /// Calls `visit(path, app)` for the program and every command: the path is "", "trace", "lesson build".
 void each_command(const CLI::App& app, const std::string& path, const auto& visit) {

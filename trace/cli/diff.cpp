@@ -36,7 +36,8 @@ struct Told {
     }
 };
 
-/// The status after the last step that was compared: both traces may have been cut. What both runs lost is no difference.
+/// The status after the last step that was compared: both traces may have been cut. What both runs lost is no
+/// difference.
 int status_of_comparison(Told& first, Told& second, bool differ) {
     Losses losses;
     for (Told* each : {&first, &second}) {

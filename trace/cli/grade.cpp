@@ -250,7 +250,8 @@ std::string kind_of(std::filesystem::file_type type) {
     }
 }
 
-/// The programs in a folder, by their names. Sources and folders are passed over. A link could lead to another student's program.
+/// The programs in a folder, by their names. Sources and folders are passed over. A link could lead to another
+/// student's program.
 std::vector<Entry> programs_in(const std::string& folder) {
     std::vector<Entry> programs;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -26,7 +26,8 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     return 2;
 }
 
-/// An empty argument is nearly always an unset variable of a shell. CLI11 would take it for a missing one, or never end.
+/// An empty argument is nearly always an unset variable of a shell. CLI11 would take it for a missing one, or never
+/// end.
 void expect_no_empty(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument = argv[i];

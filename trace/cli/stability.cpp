@@ -93,8 +93,8 @@ std::string windows_of(const Tally& tally, const Tally* before) {
     return text;
 }
 
-/// A column for each experiment of a kind; a row for each family, kernel and method that had runs. A cell shows a tally; it is also given
-/// the tally to its left.
+/// A column for each experiment of a kind; a row for each family, kernel and method that had runs. A cell shows a
+/// tally; it is also given the tally to its left.
 void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
     std::size_t widest = 0;
     for (const auto& method : results.campaign().methods) widest = std::max(widest, method.size());
@@ -251,7 +251,8 @@ NamedTrial trial_from(const std::string& text) {
     return {&family_of(family), &experiment_of(experiment), std::stoull(number)};
 }
 
-/// The scene of a series that shows the failure: the first that a kernel and method of the campaign paint wrong, otherwise the first.
+/// The scene of a series that shows the failure: the first that a kernel and method of the campaign paint wrong,
+/// otherwise the first.
 std::size_t shown_of(const std::vector<AdmittedScene>& series, const Campaign& campaign, const Tallies& tallies) {
     for (std::size_t i = 0; i < tallies.size(); ++i) {
         if (tallies[i].wrong_pixels == 0) continue;

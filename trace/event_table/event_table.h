@@ -72,8 +72,8 @@ std::string with_failure_schema(const std::string& schema);
 /// Another schema with the methods for polygons, and perhaps the one for curves.
 std::string with_methods(const std::string& schema, bool with_floating_horizon);
 
-/// The types of events and of the values of states for the page, as TypeScript, with what it asks about events. The listings determine the
-/// events of each method.
+/// The types of events and of the values of states for the page, as TypeScript, with what it asks about events. The
+/// listings determine the events of each method.
 std::string page_types(const std::string& listings);
 
 /// [{"en": TEXT, "ru": TEXT}, ...]: the names of the course's scenes.

@@ -1,7 +1,10 @@
 // Writes the files derived from the tables of events and choices:
 //
-//     vidno_event_table page LISTINGS FAILURES FOLDER   the page's table of events, its choices, what it says of other formats, the names of scenes, and the witnesses of deviations
-//     vidno_event_table documents TRACE                 the derived parts of FORMAT.md and of the schemas, in the folder trace/
+//     vidno_event_table page LISTINGS FAILURES FOLDER
+//         the page's table of events, its choices, what it says of other formats, the names of scenes, and the
+//         witnesses of deviations
+//     vidno_event_table documents TRACE
+//         the derived parts of FORMAT.md and of the schemas, in the folder trace/
 
 #include <iostream>
 #include <stdexcept>

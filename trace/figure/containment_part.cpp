@@ -40,8 +40,8 @@ private:
         return moment_.scene().polygons[std::size_t(event.polygon.index)];
     }
 
-    /// The place where an edge, or at CR3 its first vertex, meets the line of the ray. If that is off the drawing, its number stands at the
-    /// side.
+    /// The place where an edge, or at CR3 its first vertex, meets the line of the ray. If that is off the drawing, its
+    /// number stands at the side.
     void crossing(const event::Ray& ray, double row) {
         const auto [a, b] = ends_of(polygon_of(ray), ray.edge);
         const Point from = plane().at(a.x, a.y), to = plane().at(b.x, b.y);

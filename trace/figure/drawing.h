@@ -91,7 +91,8 @@ Polyline circle(Point center, double radius);
 /// The parts of a line, or of the outline of a polygon, that lie in a box.
 std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to);
 
-/// The width of a line of text, in millimetres, in a font with the metrics of Helvetica, such as Arial and Liberation Sans.
+/// The width of a line of text, in millimetres, in a font with the metrics of Helvetica, such as Arial and Liberation
+/// Sans.
 double width_of(std::string_view text, double size, bool bold = false);
 
 /// A coordinate as text, rounded to a thousandth.

@@ -1,4 +1,5 @@
-/// FloatingHorizonMoment: a step of a run of curves with everything that a figure shows of it, rebuilt from the events alone.
+/// FloatingHorizonMoment: a step of a run of curves with everything that a figure shows of it, rebuilt from the events
+/// alone.
 #pragma once
 
 #include "replay/floating_horizon_state.h"

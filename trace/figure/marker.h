@@ -1,5 +1,5 @@
-/// Marker: draws the subject of a step on the plane. It stands out by its colour and, without colours, by its shape: full points mean
-/// yes, hollow ones no.
+/// Marker: draws the subject of a step on the plane. It stands out by its colour and, without colours, by its shape:
+/// full points mean yes, hollow ones no.
 #pragma once
 
 #include <algorithm>

@@ -27,9 +27,11 @@ public:
     const std::optional<Event>& event() const { return event_; }
     /// The windows taken from AW so far, the current one last.
     const std::vector<Window>& visited() const { return visited_; }
-    /// For each polygon, by its index in the scene, the corners of the current window where it was nearer than all before it.
+    /// For each polygon, by its index in the scene, the corners of the current window where it was nearer than all
+    /// before it.
     const std::map<int, std::vector<Corner>>& nearer_at() const { return nearer_at_; }
-    /// The points where the polygons of the current list enter and leave its clip polygon, as far as RegionClip has found them.
+    /// The points where the polygons of the current list enter and leave its clip polygon, as far as RegionClip has
+    /// found them.
     const std::vector<ValuePoint>& entering() const { return entering_; }
     const std::vector<ValuePoint>& leaving() const { return leaving_; }
     /// The counts of the edges so far in the current or last containment test: ray crossings, or octants.

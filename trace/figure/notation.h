@@ -13,7 +13,8 @@ std::string in_full(double value, Language language);
 
 inline constexpr std::size_t short_enough = 7;  // characters of a number that is read at a glance
 
-/// A number in at most `most` characters (more with a power of ten), with a real minus sign, and with `≈` where a fraction was cut.
+/// A number in at most `most` characters (more with a power of ten), with a real minus sign, and with `≈` where a
+/// fraction was cut.
 std::string readable(const Value& value, Language language, std::size_t most = short_enough);
 
 /// `(x, y)`. Where numbers have a comma, a semicolon stands between them.

@@ -60,7 +60,8 @@ std::vector<glm::dvec2> spots_in(const ScenePolygon& polygon, const Area& area) 
     return spots;
 }
 
-/// Gives each name its box: in its polygon, if possible in no other, and clear of outlines and of the lines of the first windows.
+/// Gives each name its box: in its polygon, if possible in no other, and clear of outlines and of the lines of the
+/// first windows.
 class NamePlaces {
 public:
     NamePlaces(const Scene& scene, const Plane& plane) : scene_(scene), plane_(plane) {

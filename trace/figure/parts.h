@@ -29,8 +29,8 @@ void draw_frame(Drawing& to, const Plane& plane);
 inline constexpr std::size_t most_outlines = 40;
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-/// Warnock: the windows visited, those on the stack dashed, the current one heavy. Z-buffer: the scanline, the active edges.
-/// Weiler-Atherton: the lists (weiler_atherton_parts.h).
+/// Warnock: the windows visited, those on the stack dashed, the current one heavy. Z-buffer: the scanline, the active
+/// edges. Weiler-Atherton: the lists (weiler_atherton_parts.h).
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// The windows visited so far, each once.
@@ -47,7 +47,8 @@ void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style
 
 // The parts beside the plane.
 
-/// APL with the known relations of each polygon to the current window, or AEL. Throws Refused if the trace does not contain it.
+/// APL with the known relations of each polygon to the current window, or AEL. Throws Refused if the trace does not
+/// contain it.
 Drawing list_part(const Moment& moment, const Style& style, double width);
 
 /// The places of corners on the screen, "—" if there are none.

@@ -16,7 +16,8 @@ struct Meaning {
 constexpr Meaning fact{}, yes{true}, no{false}, paint{true, true};
 constexpr Meaning test(bool passed) { return passed ? yes : no; }
 
-/// Interprets an event by the pixel's place. In a window or row that does not contain the pixel, only painting concerns it.
+/// Interprets an event by the pixel's place. In a window or row that does not contain the pixel, only painting concerns
+/// it.
 class Judge {
 public:
     Judge(Pixel pixel, bool& inside) : pixel_(pixel), inside_(inside) {}

@@ -55,10 +55,12 @@ protected:
     /// Adds a form with its rows at the left margin.
     void add_form(const Form& form, double width);
 
-    /// The rows that are answered, as a range of places in all of them, which begin at these steps. Throws Refused if there are none.
+    /// The rows that are answered, as a range of places in all of them, which begin at these steps. Throws Refused if
+    /// there are none.
     std::pair<std::size_t, std::size_t> chosen_in(const std::vector<std::uint64_t>& steps) const;
 
-    /// Adds rows to the end of the page, whether they have answers or not, so that their number gives no hint, unless rows are chosen.
+    /// Adds rows to the end of the page, whether they have answers or not, so that their number gives no hint, unless
+    /// rows are chosen.
     void add_rows(std::string_view title, const std::vector<Form::Column>& columns, std::vector<StepRow> answers,
                   const std::vector<std::string_view>& legend, const Numbering& numbering);
 

@@ -42,7 +42,8 @@ std::string fitted(std::string text, double width, double size, bool bold = fals
 /// Cuts a table with too many rows around its current row, which is then on top if possible.
 void shorten(Table& table, const FigureWords& words);
 
-/// Draws the table with this width; the height follows from the rows. `letters` is the width of the letters relative to Helvetica.
+/// Draws the table with this width; the height follows from the rows. `letters` is the width of the letters relative to
+/// Helvetica.
 Drawing drawn(const Table& table, double width, double letters);
 
 }  // namespace vidno::figures

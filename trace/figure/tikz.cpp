@@ -220,7 +220,8 @@ std::string fonts_for(const Alphabets& alphabets, Language language) {
     }
     const bool is_cyrillic = alphabets.is_cyrillic || language == Language::russian;
     const bool is_western = alphabets.is_western || language == Language::english;
-    // Debian's cm-super has the outlines of T2A. The last encoding is the document's; symbols that it lacks come from the other.
+    // Debian's cm-super has the outlines of T2A. The last encoding is the document's; symbols that it lacks come from
+    // the other.
     std::string of_both = "\\usepackage[T1,T2A]{fontenc}\n";
     for (const char* symbol : {"DH", "DJ", "TH", "dh", "dj", "th", "quotesinglbase"}) {
         of_both += std::string("\\DeclareTextSymbolDefault{\\") + symbol + "}{T1}\n";

@@ -19,7 +19,8 @@ Drawing drawn_lines(const SceneLines& lines, HiddenLines hidden, const Scene& sc
 /// The visible regions found so far, filled.
 void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-/// The lists on the stack, dotted. In the current list: the clip polygon heavy, the parts inside it solid, those outside dashed.
+/// The lists on the stack, dotted. In the current list: the clip polygon heavy, the parts inside it solid, those
+/// outside dashed.
 void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// A region on the plane; nothing if a vertex is not finite.

@@ -1,4 +1,5 @@
-/// WorkedCurves: everything that someone who works a surface by hand writes down, taken from the trace of the exact run.
+/// WorkedCurves: everything that someone who works a surface by hand writes down, taken from the trace of the exact
+/// run.
 #pragma once
 
 #include <map>

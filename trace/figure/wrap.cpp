@@ -57,7 +57,8 @@ std::vector<Word> words_of(const std::string& text) {
     return words;
 }
 
-/// Whether the comma after a word separates terms of a list, such as `x, y := ...` or `p₁, p₂`: one of the two is a single word.
+/// Whether the comma after a word separates terms of a list, such as `x, y := ...` or `p₁, p₂`: one of the two is a
+/// single word.
 bool is_in_list(const std::vector<Word>& words, std::size_t place) {
     if (place + 1 == words.size() || is_conjunction(words[place + 1].text)) return false;
     const bool is_alone = place == 0 || is_end(words[place - 1].text);

@@ -1,8 +1,8 @@
 /// Event: one line of a trace, as values. FORMAT.md says what each means.
 ///
-/// This is the one table of events. Each is a struct with its name, the level from which it appears, its lines, its meaning, and its
-/// fields in order. The writer, the readers and the recorder's filter are derived from it, and so are the tables of FORMAT.md, the
-/// schema and the page's types (event_table/).
+/// This is the one table of events. Each is a struct with its name, the level from which it appears, its lines, its
+/// meaning, and its fields in order. The writer, the readers and the recorder's filter are derived from it, and so are
+/// the tables of FORMAT.md, the schema and the page's types (event_table/).
 #pragma once
 
 #include <array>
@@ -151,8 +151,8 @@ struct Disagree {
     }
 };
 
-/// The level from which the calls of a procedure are reported: below `signs` nothing happens inside some. The result of a call is
-/// the event with that procedure as its `result_of`.
+/// The level from which the calls of a procedure are reported: below `signs` nothing happens inside some. The result of
+/// a call is the event with that procedure as its `result_of`.
 constexpr Detail calls_from(Procedure procedure) {
     switch (procedure) {
         case Procedure::surround_test:

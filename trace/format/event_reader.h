@@ -24,8 +24,8 @@ public:
     EventReader(const EventReader&) = delete;
     EventReader& operator=(const EventReader&) = delete;
 
-    /// The next event, valid until another is read; none for the last line of the trace. Throws Refused with the path in the line and the
-    /// reason.
+    /// The next event, valid until another is read; none for the last line of the trace. Throws Refused with the path
+    /// in the line and the reason.
     std::optional<EventView> next(std::string_view line);
     /// Counts events that are not read.
     void skip(std::uint64_t events) { events_ += events; }

@@ -18,7 +18,8 @@ concept Fielded = requires(const T& value) {
     T::fields(value, [](std::string_view, const auto&, const auto&...) {});
 };
 
-/// Out is `Text&`; or Pen, for a place with room for everything. `Events` are the types of the events that values contain.
+/// Out is `Text&`; or Pen, for a place with room for everything. `Events` are the types of the events that values
+/// contain.
 template <class Out, class Events = EventTypes<>>
 class FieldWriter {
 public:

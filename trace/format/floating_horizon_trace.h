@@ -26,7 +26,8 @@ std::string header_json(const FloatingHorizonHeader& header);
 /// The visible lines, as a run has them at its end.
 using DrawnLines = std::vector<VisibleLine<Value>>;
 
-/// "sha256:" and the hash of the lines in order, `[curve,[x,y],[x,y]]` and a line feed for each, with numbers as in a trace.
+/// "sha256:" and the hash of the lines in order, `[curve,[x,y],[x,y]]` and a line feed for each, with numbers as in a
+/// trace.
 std::string lines_hash(const DrawnLines& lines);
 
 }  // namespace vidno

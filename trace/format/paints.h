@@ -18,8 +18,8 @@ int row_of(const E& event, const Run& run) {
     }
 }
 
-/// Whether the event gives this pixel its colour. An event that has runs of pixels paints these. Clear does not count: it prepares all
-/// pixels alike, and says nothing of this one.
+/// Whether the event gives this pixel its colour. An event that has runs of pixels paints these. Clear does not count:
+/// it prepares all pixels alike, and says nothing of this one.
 template <class E>
 bool paints(const E& event, int x, int y) {
     if constexpr (std::same_as<E, event::Fill>) {

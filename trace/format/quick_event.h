@@ -1,7 +1,7 @@
 /// QuickEvents: reads events from lines in the form that the program writes: keys in the order of event.h, no spaces.
 ///
-/// Lines in another form, or with errors, are left to tree_event.h, which takes keys in any order and reports errors. Both readers agree
-/// on the lines that both read.
+/// Lines in another form, or with errors, are left to tree_event.h, which takes keys in any order and reports errors.
+/// Both readers agree on the lines that both read.
 #pragma once
 
 #include <array>

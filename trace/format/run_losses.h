@@ -1,4 +1,5 @@
-/// RunLosses: what a run loses, as its events tell it: its faults, and what it could not decide because numbers left their range.
+/// RunLosses: what a run loses, as its events tell it: its faults, and what it could not decide because numbers left
+/// their range.
 #pragma once
 
 #include <cstdint>

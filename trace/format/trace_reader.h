@@ -24,8 +24,8 @@ public:
     TraceFile(TraceFile&&) noexcept;
     ~TraceFile();
 
-    /// The next event, valid until the one after it is read; none at the end. Throws Refused, with the line number, for a line that is not
-    /// an event.
+    /// The next event, valid until the one after it is read; none at the end. Throws Refused, with the line number, for
+    /// a line that is not an event.
     std::optional<EventView> next();
 
     /// Passes over the rest of the file without reading its events, up to the last line.

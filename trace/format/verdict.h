@@ -40,7 +40,8 @@ inline constexpr std::array<std::string_view, 14> decision_names{
 /// Yes or no, a sign or a pixel, or a half-open range.
 using Answer = std::variant<bool, int, std::pair<int, int>>;
 
-/// The right answer along the path that was taken. None if it is undefined, because a wrong decision led to a division by zero.
+/// The right answer along the path that was taken. None if it is undefined, because a wrong decision led to a division
+/// by zero.
 struct Truth {
     std::optional<Answer> answer;
     bool operator==(const Truth&) const = default;
@@ -96,7 +97,8 @@ struct Gap {
     std::optional<int> pixel{};  // the column or row, if the second number is the centre of one
 };
 
-/// The numbers from which a decision was computed. It refers to the run's own numbers, so query it only while the judge hears the verdict.
+/// The numbers from which a decision was computed. It refers to the run's own numbers, so query it only while the judge
+/// hears the verdict.
 class Calculator {
 public:
     virtual Operands operands() const = 0;

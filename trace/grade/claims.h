@@ -15,8 +15,8 @@ struct False {
     std::optional<std::uint64_t> step{};  // if the claim belongs to another event than the current one
 };
 
-/// The step of the last event of a kind about each polygon or curve, by its index. A program may return to a polygon, so it is done with
-/// one only after that step. Empty unless the run reached its end.
+/// The step of the last event of a kind about each polygon or curve, by its index. A program may return to a polygon,
+/// so it is done with one only after that step. Empty unless the run reached its end.
 using LastSteps = std::map<int, std::uint64_t>;
 
 template <class E>
@@ -49,7 +49,8 @@ protected:
     void judge_edge(int polygon, int edge) const;
     /// Line I1: throws False unless the plane is the polygon's.
     void judge_plane(const event::Plane& e) const;
-    /// Throws False: a run of the printed text failed at a line. Its write outside the area is a claim about that pixel.
+    /// Throws False: a run of the printed text failed at a line. Its write outside the area is a claim about that
+    /// pixel.
     [[noreturn]] void judge_fault(const event::Fault& e) const;
     /// Line D1 and equivalent claims: throws False unless the polygon's depth at (x, y) is z.
     void judge_depth(int polygon, double x, double y, double z) const;
@@ -61,8 +62,8 @@ protected:
     void judge_comparison(double z, double against, bool nearer);
     /// Throws False if the trace has reported a different nearest depth so far.
     void judge_nearest_so_far(double told, const std::optional<double>& known) const;
-    /// Whether a told row at y, from left to right, is that of the polygon with these ends. It may end at the sides of the area or of the
-    /// window, which it crosses, if the polygon goes on there.
+    /// Whether a told row at y, from left to right, is that of the polygon with these ends. It may end at the sides of
+    /// the area or of the window, which it crosses, if the polygon goes on there.
     bool is_row(double y, double left, double right, const SceneTruth::Ends& ends, const Window& window) const;
     /// Throws False unless first <= column < end are the pixels of a row whose centres lie between the polygon's ends.
     void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,

@@ -37,7 +37,8 @@ constexpr std::size_t kept_of_output = 4096;
 constexpr int cannot_start = 127, handshake_number = 3;
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
-/// Removes all that is in a folder, however deep it is and whatever its permissions are. Leaves this process in some other folder.
+/// Removes all that is in a folder, however deep it is and whatever its permissions are. Leaves this process in some
+/// other folder.
 void empty_folder(const std::string& folder) {
     if (chdir(folder.c_str()) != 0) return;
     for (int depth = 0; depth >= 0;) {
@@ -110,7 +111,8 @@ bool limit_process(pid_t process, const Limits& limits, bool in_a_sandbox) {
     return holds;
 }
 
-/// Limits a process in the sandbox. The system lets a user limit the own processes, but not always root those of others.
+/// Limits a process in the sandbox. The system lets a user limit the own processes, but not always root those of
+/// others.
 bool limit_process_as(unsigned user, pid_t process, const Limits& limits) {
     if (limit_process(process, limits, true)) return true;
     const pid_t helper = fork();
@@ -180,8 +182,8 @@ std::uint64_t written_in(int folder, const std::string& on_this_machine) {
     return bytes;
 }
 
-/// The text of a file that the program was to write. Only a regular file in its own folder is read: a link could lead elsewhere, and a pipe
-/// would wait for a writer.
+/// The text of a file that the program was to write. Only a regular file in its own folder is read: a link could lead
+/// elsewhere, and a pipe would wait for a writer.
 std::string text_written(int folder, const std::string& name, std::uint64_t most) {
     fchmod(folder, S_IRWXU);
     const Descriptor file(openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -198,7 +200,8 @@ std::string text_written(int folder, const std::string& name, std::uint64_t most
     return text;
 }
 
-/// A vector that doubles its capacity fails when old and new storage together exceed the limit: a third of it was in use before.
+/// A vector that doubles its capacity fails when old and new storage together exceed the limit: a third of it was in
+/// use before.
 bool used_much(std::uint64_t memory, const Limits& limits) { return memory > limits.memory / 3; }
 
 Ending ending_of(int status, const rusage& used, const std::string& said, const Limits& limits) {

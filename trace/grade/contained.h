@@ -1,6 +1,7 @@
 /// Contained: runs an untrusted program under limits and, if possible, in a sandbox.
 ///
-/// The limits hold for the whole run: for the program and all that it starts, together. docs/grading.md lists what is guaranteed.
+/// The limits hold for the whole run: for the program and all that it starts, together. docs/grading.md lists what is
+/// guaranteed.
 #pragma once
 
 #include <chrono>
@@ -63,8 +64,8 @@ struct FileOfRun {
     std::string variable, name, text{};
 };
 
-/// Runs a program without arguments. It is given some files, and is to write another one. In a sandbox it sees only the variables of these
-/// files and PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
+/// Runs a program without arguments. It is given some files, and is to write another one. In a sandbox it sees only the
+/// variables of these files and PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
 Ended run_contained(const std::filesystem::path& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
                     const Limits& limits);
 

@@ -29,7 +29,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The path of this process's group in the hierarchy of a controller. Version 2 has one hierarchy, for which `controller` is empty.
+/// The path of this process's group in the hierarchy of a controller. Version 2 has one hierarchy, for which
+/// `controller` is empty.
 std::optional<Path> own_group(const std::string& controller) {
     std::ifstream in("/proc/self/cgroup");
     for (std::string line; std::getline(in, line);) {  // number:controllers:path
@@ -48,7 +49,8 @@ std::optional<Hierarchy> hierarchy_of(const std::string& controller) {
     const auto group = own_group(controller);
     std::ifstream in("/proc/self/mountinfo");
     for (std::string line; group && std::getline(in, line);) {
-        // Numbers, the mounted folder of the file system, where it is mounted, options; after a dash the type, the source, and its options.
+        // Numbers, the mounted folder of the file system, where it is mounted, options; after a dash the type, the
+        // source, and its options.
         const auto dash = line.find(" - ");
         if (dash == line.npos) continue;
         const auto before = split(line.substr(0, dash), ' '), after = split(line.substr(dash + 3), ' ');

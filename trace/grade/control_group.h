@@ -1,4 +1,5 @@
-/// ControlGroup: a group of processes whose memory and number the system itself limits, where it lets this user make one.
+/// ControlGroup: a group of processes whose memory and number the system itself limits, where it lets this user make
+/// one.
 #pragma once
 
 #include <cstdint>

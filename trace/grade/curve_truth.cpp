@@ -173,8 +173,8 @@ struct CurveTruth::Exactly {
         return side == Side::upper ? both.upper : both.lower;
     }
 
-    /// How far a curve lies beyond a horizon before it, over a column and the next; negative if it does not reach it. None unless both
-    /// columns have the horizon, and the curve goes from one to the other.
+    /// How far a curve lies beyond a horizon before it, over a column and the next; negative if it does not reach it.
+    /// None unless both columns have the horizon, and the curve goes from one to the other.
     std::optional<Linear> beyond(int curve, Side side, int x) const {
         if (!goes_on(curve, x)) return std::nullopt;
         const auto& cells = horizon(curve, When::before, side);

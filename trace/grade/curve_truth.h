@@ -1,9 +1,10 @@
-/// CurveTruth: answers questions about curves in exact rationals, with a tolerance for programs that compute with rounding. SceneTruth is
-/// the equivalent for polygons.
+/// CurveTruth: answers questions about curves in exact rationals, with a tolerance for programs that compute with
+/// rounding. SceneTruth is the equivalent for polygons.
 ///
-/// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest height, in float 2^6. A
-///            told number that is no float is judged as one of double.
-/// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may also hide it.
+/// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest
+///            height, in float 2^6. A told number that is no float is judged as one of double.
+/// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may
+///            also hide it.
 /// Beginning  Between a column over which there is a horizon and one over which there is none, a line may end anywhere.
 #pragma once
 
@@ -51,8 +52,8 @@ public:
     std::optional<double> horizon(int curve, When when, Side side, int x) const;
     /// Whether the horizon is that one, within the tolerance. Where there is none, it may be beyond all heights.
     bool is_horizon(int curve, When when, Side side, int x, const std::optional<double>& told) const;
-    /// Whether the height lies beyond every curve on that side, so that a horizon may start there: an upper one below all, a lower one
-    /// above all.
+    /// Whether the height lies beyond every curve on that side, so that a horizon may start there: an upper one below
+    /// all, a lower one above all.
     bool is_beyond_all(Side side, double y) const;
 
     /// Whether the flag may be that of the curve over the column.
@@ -60,7 +61,8 @@ public:
     /// Whether the curve meets a horizon at x, or a horizon begins or ends over that column.
     bool meets_horizon(int curve, double x) const;
 
-    /// Whether the curve may be drawn at x, and whether it may be left out. Both where rounding or another rule may decide.
+    /// Whether the curve may be drawn at x, and whether it may be left out. Both where rounding or another rule may
+    /// decide.
     bool may_show(int curve, double x) const;
     bool may_be_left_out(int curve, double x) const;
     /// An x between these two where the curve is hidden, or has a gap; none if it is visible throughout.

@@ -35,8 +35,8 @@ void FloatingHorizonJudge::judge(const event::Curve& e) {
     if (state_.values().curve) leave_curve(curve(), begun, is_farthest);
 }
 
-/// If the program never returns to the curve, all that is visible of it must be drawn. Its horizons are those of the state unless a
-/// farther curve has come.
+/// If the program never returns to the curve, all that is visible of it must be drawn. Its horizons are those of the
+/// state unless a farther curve has come.
 void FloatingHorizonJudge::leave_curve(int curve, std::uint64_t begun, bool is_farthest) const {
     const auto last = last_steps_.find(curve);
     if (last == last_steps_.end() || last->second != begun) return;

@@ -50,8 +50,9 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
 }
 
-/// Judges the runs of one program, and returns its precision: single if it says so, or if it tells only floats and some of them were
-/// rounded to float. Numbers alone do not show it: those of a program in double are floats, too, if the right ones are.
+/// Judges the runs of one program, and returns its precision: single if it says so, or if it tells only floats and some
+/// of them were rounded to float. Numbers alone do not show it: those of a program in double are floats, too, if the
+/// right ones are.
 Precision judge_runs(std::vector<SceneGrade>& runs, const Words& say) {
     const auto says_single = [](const SceneGrade& each) {
         return each.run.header && kernel_of(*each.run.header) == "float";

@@ -1,4 +1,5 @@
-/// Grade: runs a student's program on scenes, contained, judges each run, and finds the smallest scene that shows a failure.
+/// Grade: runs a student's program on scenes, contained, judges each run, and finds the smallest scene that shows a
+/// failure.
 #pragma once
 
 #include <algorithm>
@@ -47,8 +48,9 @@ struct Grading {
     bool first_only = false;          // stop at the first scene on which the program is wrong
 };
 
-/// Runs the program on the scenes of the kind that it draws in its first run, and judges the runs. Stops early after two runs that exceed the
-/// limit of time. Calls `progress` before each run with the number of runs done. Throws Refused if the program cannot be started.
+/// Runs the program on the scenes of the kind that it draws in its first run, and judges the runs. Stops early after
+/// two runs that exceed the limit of time. Calls `progress` before each run with the number of runs done. Throws
+/// Refused if the program cannot be started.
 ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToGrade& scenes, const Grading& grading,
                            const std::function<void(std::size_t)>& progress);
 
@@ -60,8 +62,8 @@ struct Patience {
     int runs = 300;
     std::chrono::seconds time{30};
 };
-/// The smallest scene found on which the program fails in the same way at no later step, with its run. Calls `progress` before each run.
-/// Throws Refused if the program cannot be started.
+/// The smallest scene found on which the program fails in the same way at no later step, with its run. Calls `progress`
+/// before each run. Throws Refused if the program cannot be started.
 SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, Precision precision,
                             const Grading& grading, const Patience& patience, const std::function<void()>& progress);
 

@@ -56,15 +56,16 @@ std::string polygon_of(const EventView& event) {
     });
 }
 
-/// The false claim of the first step becomes `wrong`. Later events are judged too, because the set of all false claims distinguishes one
-/// mistake from another, and because a claim may turn out to be false only later.
+/// The false claim of the first step becomes `wrong`. Later events are judged too, because the set of all false claims
+/// distinguishes one mistake from another, and because a claim may turn out to be false only later.
 template <class Judge>
 void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, auto& state, const Words& say,
               Judgement& found) {
     std::vector<std::pair<Wrong, FalseClaim>> all;
     const auto add = [&](std::uint64_t step, const False& claim) {
         const std::uint64_t at = std::min<std::uint64_t>(claim.step.value_or(step), events.size());
-        // A claim about an earlier step is about what was done there, not about the event, which may be one that the program need not report.
+        // A claim about an earlier step is about what was done there, not about the event, which may be one that the
+        // program need not report.
         const bool is_about_event = at != 0 && !claim.step;
         all.push_back({{at, at == 0 ? "" : label_of(events[at - 1]), claim.told, claim.right, claim.symptom},
                        {claim.symptom, judge.place() + (is_about_event ? polygon_of(events[at - 1]) : "")}});

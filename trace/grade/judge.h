@@ -1,10 +1,10 @@
 /// Judge: checks the claims of a trace against the exact scene.
 ///
-/// A claim is, for example, the depth of a polygon at a point, that a window is empty, or the colour of a pixel. The judge checks the
-/// claims in the order of the trace. It requires no claim that the trace leaves out (told.h counts the claims), and it accepts any order
-/// of windows, polygons, lists and corners, any rule for points of an outline that scene_truth.h allows, and any of several equally near
-/// polygons. It lists these differences from our procedures. The verdict is the first false claim or, if there is none, a wrong pixel of
-/// the final picture.
+/// A claim is, for example, the depth of a polygon at a point, that a window is empty, or the colour of a pixel. The
+/// judge checks the claims in the order of the trace. It requires no claim that the trace leaves out (told.h counts the
+/// claims), and it accepts any order of windows, polygons, lists and corners, any rule for points of an outline that
+/// scene_truth.h allows, and any of several equally near polygons. It lists these differences from our procedures. The
+/// verdict is the first false claim or, if there is none, a wrong pixel of the final picture.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ std::string_view method_of(const AnyHeader& header);
 /// The kernel, by its name.
 const std::string& kernel_of(const AnyHeader& header);
 
-/// The kind of a false claim. It tells whether a smaller scene shows the same failure, and which usual mistake a program makes.
+/// The kind of a false claim. It tells whether a smaller scene shows the same failure, and which usual mistake a
+/// program makes.
 enum class Symptom : unsigned char {
     plane,       // not the polygon's
     depth,       // not that of the polygon's plane
@@ -99,16 +100,16 @@ struct Judgement {
     std::optional<Wrong> wrong;
     std::vector<FalseClaim> false_claims;  // all of them; the first belongs to `wrong`
     std::set<Difference> differences;
-    /// Each wrong pixel: its column, its row and the colour that it shows. Each wrong place of a curve: the curve, the place in quarters
-    /// of a column, and whether the curve is drawn there. They count only if the run is complete.
+    /// Each wrong pixel: its column, its row and the colour that it shows. Each wrong place of a curve: the curve, the
+    /// place in quarters of a column, and whether the curve is drawn there. They count only if the run is complete.
     std::vector<std::array<int, 5>> wrong_places;
     int open_places = 0;        // pixels or columns where rounding may decide what shows
     bool shows_single = false;  // a number was rounded to float
     bool is_plain = false;      // no pixel centre lies on an outline, and no curve meets a horizon over a column
 };
 
-/// Judges the events of a trace that a program with numbers of that precision wrote. If `complete`, the run reached its end, so the final
-/// picture must be right too. `words` chooses the language of the messages.
+/// Judges the events of a trace that a program with numbers of that precision wrote. If `complete`, the run reached its
+/// end, so the final picture must be right too. `words` chooses the language of the messages.
 Judgement judge(const TraceHeader& header, const std::vector<Event>& events, bool complete, Precision precision,
                 const Words& words = Words());
 Judgement judge(const FloatingHorizonHeader& header, const std::vector<Event>& events, bool complete,

@@ -167,8 +167,8 @@ int first_child_of(int process) {
 }
 
 void end_descendants() noexcept {
-    // A process that ends gives its children to this one, so none can hide behind another. One that the system does not let go, for example
-    // because a disk does not answer, is given up.
+    // A process that ends gives its children to this one, so none can hide behind another. One that the system does not
+    // let go, for example because a disk does not answer, is given up.
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     for (;;) {
         for_each_descendant([](int process, int) { kill(process, SIGKILL); });

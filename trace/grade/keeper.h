@@ -1,4 +1,5 @@
-/// Keeper: a process between the grader and a program. However the grader ends, the keeper ends the program and all that it started.
+/// Keeper: a process between the grader and a program. However the grader ends, the keeper ends the program and all
+/// that it started.
 #pragma once
 
 #include <chrono>
@@ -29,8 +30,8 @@ private:
 /// Why the last system call failed.
 std::string system_reason();
 
-/// Does the work in a process of its own, to which all that it starts returns when its parent ends. `grader` becomes readable when the
-/// grader ends; the work then has to stop. Returns the result of the work, or throws its Refused.
+/// Does the work in a process of its own, to which all that it starts returns when its parent ends. `grader` becomes
+/// readable when the grader ends; the work then has to stop. Returns the result of the work, or throws its Refused.
 std::string in_keeper(const std::function<std::string(int grader)>& work);
 
 /// What the descendants of this process use together. Memory that several of them share counts for each of them.

@@ -13,10 +13,10 @@ struct Observation {
     bool complete;  // the run reached its end
 };
 
-/// The deviation whose runs are wrong at the program's wrong places and make its first false claim; none if no deviation does. Its runs are
-/// judged by the kinds of events that the program reports. If the program is wrong on a plain scene (Judgement::is_plain), only such
-/// scenes count and the runs must agree on all of them. Otherwise rounding may separate the runs, so two thirds of the scenes on which
-/// the program is wrong must agree.
+/// The deviation whose runs are wrong at the program's wrong places and make its first false claim; none if no
+/// deviation does. Its runs are judged by the kinds of events that the program reports. If the program is wrong on a
+/// plain scene (Judgement::is_plain), only such scenes count and the runs must agree on all of them. Otherwise rounding
+/// may separate the runs, so two thirds of the scenes on which the program is wrong must agree.
 std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, Precision precision);
 
 /// A sentence for the student: the name of the deviation and the advice on it, or what it does.

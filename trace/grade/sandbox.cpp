@@ -129,7 +129,8 @@ bool leave_root_for(unsigned user) {
 }
 
 bool leave_root() {
-    // systemd's list of numbers has no use for those from 1879048192 on. A container may only have numbers up to 65534, which is `nobody`.
+    // systemd's list of numbers has no use for those from 1879048192 on. A container may only have numbers up to 65534,
+    // which is `nobody`.
     constexpr unsigned unused = 1879048192, nobody = 65534;
     return geteuid() != 0 || leave_root_for(unused + unsigned(getpid())) || leave_root_for(nobody);
 }

@@ -31,7 +31,8 @@ Outline2 exactly(const std::vector<glm::dvec2>& corners) {
     return outline;
 }
 
-/// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line. None if intervals leave it open.
+/// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line. None if
+/// intervals leave it open.
 template <class Number>
 std::optional<int> side_in(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& p, double open) {
     const Number along_x = Number(to.x) - Number(from.x), along_y = Number(to.y) - Number(from.y);
@@ -122,8 +123,8 @@ struct Direction {
     double x, y;
 };
 
-/// A direction strictly between any two neighbours among the edges' directions, where what is visible can change. Their opposites and
-/// perpendiculars count too, so no gap between neighbours is more than 90 degrees.
+/// A direction strictly between any two neighbours among the edges' directions, where what is visible can change. Their
+/// opposites and perpendiculars count too, so no gap between neighbours is more than 90 degrees.
 std::vector<Direction> directions_between(const std::vector<Direction>& changes) {
     std::vector<Direction> all;
     for (const auto& [x, y] : changes) {
@@ -210,7 +211,8 @@ struct SceneTruth::Exactly {
         return side ? *side : *side_in<Rational>(from, to, p, open);
     }
 
-    /// Whether an edge of the region has the region on one side and the other one on the other side, so that they share no area.
+    /// Whether an edge of the region has the region on one side and the other one on the other side, so that they share
+    /// no area.
     bool apart(const RegionLoops& region, const RegionLoops& other) const {
         const auto all_of = [](const RegionLoops& loops, auto&& holds) {
             return std::all_of(loops.begin(), loops.end(),
@@ -598,7 +600,8 @@ std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const R
     for (int q = 0; q < int(exactly_->polygons.size()); ++q) {
         const ExactPolygon& other = exactly_->at(q);
         if (q == polygon || !other.has_inside) continue;
-        // Clipping a loop by half-planes leaves edges that run back and forth along the clipping lines. They add no area.
+        // Clipping a loop by half-planes leaves edges that run back and forth along the clipping lines. They add no
+        // area.
         Rational twice(0);
         for (Outline2 part : exactly(region)) {
             for (std::size_t i = 0; i < other.outline.size() && !part.empty(); ++i) {

@@ -1,13 +1,15 @@
-/// SceneTruth: answers questions about a scene in exact rationals, with a tolerance for programs that compute with rounding.
+/// SceneTruth: answers questions about a scene in exact rationals, with a tolerance for programs that compute with
+/// rounding.
 ///
-/// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give either answer. In
-///            double the tolerance is 2^10 units in the last place of the largest coordinate, and for a depth of the terms that make it:
-///            some hundred operations can add up to it. In float it is 2^6 units. A number that the program tells is judged by its own precision: if no float has its value, it was not
+/// Rounding   An answer is open if the exact value is within the tolerance of the borderline; then a program may give
+///            either answer. In double the tolerance is 2^10 units in the last place of the largest coordinate, and for
+///            a depth of the terms that make it: some hundred operations can add up to it. In float it is 2^6 units. A
+///            number that the program tells is judged by its own precision: if no float has its value, it was not
 ///            computed in float alone, and the tolerance is that of double.
-/// Outline    A program may use its own rule for points of an outline. By the picture rule, such a point belongs to every polygon on
-///            whose outline it lies. Another rule is as right if it shows what is visible next to the point in some direction. So a
-///            point of an outline may belong to no polygon. But if two polygons share an edge and nothing else lies next to it, one
-///            of them must show.
+/// Outline    A program may use its own rule for points of an outline. By the picture rule, such a point belongs to
+///            every polygon on whose outline it lies. Another rule is as right if it shows what is visible next to the
+///            point in some direction. So a point of an outline may belong to no polygon. But if two polygons share an
+///            edge and nothing else lies next to it, one of them must show.
 #pragma once
 
 #include <array>
@@ -78,8 +80,8 @@ public:
     bool same_depth(double told, double right, double times = 1) const;
     /// Whether two depths that a program computed and stored agree within the tolerance.
     bool nearly_equal(double z, double other) const;
-    /// Whether a program that compares these depths may take either for the nearer one. It compares what it tells, up to the digits that
-    /// `long double` has besides.
+    /// Whether a program that compares these depths may take either for the nearer one. It compares what it tells, up
+    /// to the digits that `long double` has besides.
     bool equally_near(double z, double other) const;
     /// Whether a judged depth was that of a program in float: a float, though the right one is not.
     bool shows_single() const;
@@ -91,7 +93,8 @@ public:
     /// The change of the polygon's depth from one column to the next.
     double depth_slope(int polygon) const;
 
-    /// The side of an edge on which a point lies: the sign of (edge's end - its start) x (point - its start); 0 within the tolerance.
+    /// The side of an edge on which a point lies: the sign of (edge's end - its start) x (point - its start); 0 within
+    /// the tolerance.
     int side(int polygon, int edge, double x, double y) const;
     /// A point of an outline on a given horizontal line.
     struct Crossing {
@@ -102,9 +105,11 @@ public:
     std::optional<Crossing> crossing(int polygon, int edge, double y) const;
     /// The left and the right end of the polygon on the horizontal line at y; none if the line misses the polygon.
     std::optional<Ends> ends(int polygon, double y) const;
-    /// Whether a told coordinate is the right one, within 64 times the tolerance. An error may have been multiplied by `times`.
+    /// Whether a told coordinate is the right one, within 64 times the tolerance. An error may have been multiplied by
+    /// `times`.
     bool same_coordinate(double told, double right, double times = 1) const;
-    /// Whether a program may take two coordinates for the same: they differ by at most `coincidence`, 64 times the tolerance.
+    /// Whether a program may take two coordinates for the same: they differ by at most `coincidence`, 64 times the
+    /// tolerance.
     bool may_coincide(double v, double w) const { return std::abs(v - w) <= coincidence(); }
     double coincidence() const;
 
@@ -118,7 +123,8 @@ public:
     bool has_vertex(int polygon, const glm::dvec3& vertex) const;
     /// The part of the window in the area.
     Window in_area(const Window& window) const;
-    /// Why the vertices do not form the polygon's part in the window; none if they do. They may start anywhere, in either direction.
+    /// Why the vertices do not form the polygon's part in the window; none if they do. They may start anywhere, in
+    /// either direction.
     std::optional<std::string> no_part(int polygon, const Window& window, const std::vector<glm::dvec3>& vertices,
                                        const Words& say) const;
 

@@ -268,8 +268,9 @@ std::vector<AdmittedScene> scenes_to_grade(Language language) {
                                     {level(1.25, 1.25, 7.75, 5.25, .25),
                                      tilted({{5.25, 3.25}, {10.25, 4.25}, {7.25, 10.75}}, .375, 0, 0)})),
     };
-    // The second polygon is hidden and the third is not, by the gap alone. The fourth passes through the first. A program
-    // in float must tell apart depths 2^-13 and more apart, which is more than twice its tolerance; below that they are left open.
+    // The second polygon is hidden and the third is not, by the gap alone. The fourth passes through the first. A
+    // program in float must tell apart depths 2^-13 and more apart, which is more than twice its tolerance; below that
+    // they are left open.
     for (const int power : powers) {
         const double difference = std::ldexp(1, -power);
         scenes.push_back(scene(say({"Depths 2^-{} apart", "Глубины на расстоянии 2^-{}"}, power), {0, 0, 12, 12},

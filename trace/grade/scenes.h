@@ -8,11 +8,12 @@
 
 namespace vidno {
 
-/// Small scenes, the ordinary ones first. The name of each states its idea. Depths that must be told apart differ by 1e-7 to 1.
+/// Small scenes, the ordinary ones first. The name of each states its idea. Depths that must be told apart differ by
+/// 1e-7 to 1.
 std::vector<AdmittedScene> scenes_to_grade(Language language = Language::english);
 
-/// `count` random scenes, the same for a seed on every machine. Scenes of convex polygons in an area of any size alternate with scenes of
-/// the families in which vertices lie on pixel centres, on edges and on each other.
+/// `count` random scenes, the same for a seed on every machine. Scenes of convex polygons in an area of any size
+/// alternate with scenes of the families in which vertices lie on pixel centres, on edges and on each other.
 std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count, Language language = Language::english);
 
 /// The same for the floating horizon.

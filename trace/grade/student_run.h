@@ -31,12 +31,13 @@ std::string scene_text(const Surface& surface);
 /// Reads a trace of the kernel `float` or `double`, as far as it is readable.
 StudentRun read_student_trace(std::string text);
 
-/// Offers the scenes, at most one of each kind, to the program. Runs it, contained, and reads its trace. Throws Refused if the program
-/// cannot be started.
+/// Offers the scenes, at most one of each kind, to the program. Runs it, contained, and reads its trace. Throws Refused
+/// if the program cannot be started.
 StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
                        const Limits& limits);
 
-/// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either direction.
+/// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either
+/// direction.
 bool same_scene(const Scene& told, const Scene& given);
 /// The same for scenes of either kind. Curves must be the same.
 bool same_scene(const DrawnScene& told, const DrawnScene& given);

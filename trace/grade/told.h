@@ -11,8 +11,8 @@
 
 namespace vidno {
 
-/// A kind of claim that traces of a method make from a level on. Traces of that level must have the `needed` kinds. The others, such as
-/// lists of edges, belong to one way to write the procedure.
+/// A kind of claim that traces of a method make from a level on. Traces of that level must have the `needed` kinds. The
+/// others, such as lists of edges, belong to one way to write the procedure.
 struct ClaimKind {
     Bilingual name;  // in the plural
     std::string_view method;

@@ -113,7 +113,8 @@ void WarnockJudge::judge(const event::Pop& e) {
     rows_.clear();
 }
 
-/// In the case `single` the polygon is painted over the background, so the pixels are judged only when the window is done.
+/// In the case `single` the polygon is painted over the background, so the pixels are judged only when the window is
+/// done.
 void WarnockJudge::finish_window() {
     judge_parts();
     if (decided_ != Case::single) return;
@@ -366,7 +367,8 @@ void WarnockJudge::judge_surrounded(Color color) {
     if (!is_pixel()) judge_surrounds(color);
 }
 
-/// Some polygon of the colour must surround the window and be nearer than all others everywhere in it, between the pixel centres too.
+/// Some polygon of the colour must surround the window and be nearer than all others everywhere in it, between the
+/// pixel centres too.
 void WarnockJudge::judge_surrounds(Color color) const {
     const Window window = truth().in_area(window_);
     std::optional<std::pair<int, int>> before;  // one that surrounds it, and one that is nearer
@@ -538,7 +540,8 @@ void WarnockJudge::judge_side_number(const event::ClipSide& e) const {
                     by_place, sides_)};
 }
 
-/// 1 if a vertex lies on the outer side of the current clipping line, -1 if on the inner side, 0 if on the line or if there is no line.
+/// 1 if a vertex lies on the outer side of the current clipping line, -1 if on the inner side, 0 if on the line or if
+/// there is no line.
 int WarnockJudge::beyond_side(const ValueVertex& v) const {
     if (!side_) return 0;
     const auto& [from, to] = *side_;

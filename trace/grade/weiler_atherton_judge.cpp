@@ -6,9 +6,9 @@
 
 namespace vidno::grading {
 
-/// Rounding gives the same vertex two places, so the pieces of an outline do not meet, and what they bound is lost. That may be a sliver
-/// without area. So the run is wrong only if the visible regions are, and then this is the cause. Arithmetic in `double` does not force
-/// such a loss: a program can keep the vertices that its pieces share.
+/// Rounding gives the same vertex two places, so the pieces of an outline do not meet, and what they bound is lost.
+/// That may be a sliver without area. So the run is wrong only if the visible regions are, and then this is the cause.
+/// Arithmetic in `double` does not force such a loss: a program can keep the vertices that its pieces share.
 void WeilerAthertonJudge::judge(const event::Fault& e) {
     if (lost_.empty())
         lost_ = say({"; at step {}, {}, {}", "; на шаге {}, {}, сбой"}, std::size_t(step_),
@@ -153,7 +153,8 @@ void WeilerAthertonJudge::judge(const event::Order& e) {
     judge_order(e.z.number, e.other_z.number, e.order);
 }
 
-/// No polygon may be nearer than the shown one anywhere in the region, and nothing of the region may have been shown before.
+/// No polygon may be nearer than the shown one anywhere in the region, and nothing of the region may have been shown
+/// before.
 void WeilerAthertonJudge::judge(const event::Show& e) {
     const int p = e.polygon.index;
     tells_regions_ = true;
@@ -229,7 +230,8 @@ bool WeilerAthertonJudge::crosses(const RegionLoops& region, double y, double le
     return true;
 }
 
-/// A row must be that of a region shown before. It does not say of which, and the pixels on its ends may be painted for another polygon.
+/// A row must be that of a region shown before. It does not say of which, and the pixels on its ends may be painted for
+/// another polygon.
 void WeilerAthertonJudge::judge(const event::Row& e) const {
     const double y = e.row + 0.5, left = e.left.number, right = e.right.number;
     const auto& visible = state().weiler_atherton().visible();
@@ -269,7 +271,8 @@ void WeilerAthertonJudge::judge(const event::Paint& e) {
     }
 }
 
-/// The first pixel whose centre is in none of the visible regions, though it should be, in words; empty if there is none.
+/// The first pixel whose centre is in none of the visible regions, though it should be, in words; empty if there is
+/// none.
 std::string WeilerAthertonJudge::not_shown() const {
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
@@ -289,7 +292,8 @@ std::string WeilerAthertonJudge::not_shown() const {
     return "";
 }
 
-/// The visible regions are visible and apart from each other, so they are right if they add up to the area that the polygons cover.
+/// The visible regions are visible and apart from each other, so they are right if they add up to the area that the
+/// polygons cover.
 void WeilerAthertonJudge::finish() {
     const double right = truth().covered_area();
     if (tells_regions_ && !truth().same_area(shown_, right, in_floats_)) {

@@ -52,8 +52,8 @@ std::vector<Rational> heights_of_edges(const std::vector<LoopEdge>& edges) {
 
 }  // namespace
 
-/// Sums horizontal bands. No edges cross in a band, so what lies between two neighbouring edges is a trapezium, and its area is its width
-/// on the band's centre line times the band's height.
+/// Sums horizontal bands. No edges cross in a band, so what lies between two neighbouring edges is a trapezium, and its
+/// area is its width on the band's centre line times the band's height.
 double area_where(const std::vector<Layer>& layers, const std::function<bool(const std::vector<int>&)>& is_wanted) {
     const std::vector<LoopEdge> edges = loop_edges(layers);
     const std::vector<Rational> heights = heights_of_edges(edges);

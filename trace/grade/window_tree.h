@@ -1,4 +1,5 @@
-/// WindowTree: records which window each window is part of, in any order of processing, and whether the parts of a window cover it.
+/// WindowTree: records which window each window is part of, in any order of processing, and whether the parts of a
+/// window cover it.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +21,9 @@ public:
         std::uint64_t step;
     };
 
-    /// Adds a window that waits to be processed. Its parent is the smallest split window that contains it, not always the current one: a
-    /// program may report a part only just before it processes that part. A waiting window may be reported again. False if there is no
-    /// parent.
+    /// Adds a window that waits to be processed. Its parent is the smallest split window that contains it, not always
+    /// the current one: a program may report a part only just before it processes that part. A waiting window may be
+    /// reported again. False if there is no parent.
     bool push(const Window& window, std::uint64_t step);
     /// Adds a part that will not be processed.
     void skip(const Window& window);
@@ -31,7 +32,8 @@ public:
     /// Splits the current window.
     void split(std::uint64_t step);
 
-    /// What the parts of the current window leave uncovered, if the trace has reported at least two of them since it became current.
+    /// What the parts of the current window leave uncovered, if the trace has reported at least two of them since it
+    /// became current.
     std::optional<Uncovered> uncovered_now() const;
     /// The same for all windows: the first that its parts do not cover.
     std::optional<Uncovered> uncovered() const;

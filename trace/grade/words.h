@@ -1,5 +1,5 @@
-/// Words: the sentences of a report in one language. The arguments replace the places {} in turn, or the numbered places {0}, {1} and so
-/// on if the order differs between the languages.
+/// Words: the sentences of a report in one language. The arguments replace the places {} in turn, or the numbered
+/// places {0}, {1} and so on if the order differs between the languages.
 #pragma once
 
 #include <algorithm>

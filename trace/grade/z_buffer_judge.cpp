@@ -117,7 +117,8 @@ void ZBufferJudge::judge(const event::AelAdd& e) const {
                below = truth().crossing(*polygon_, e.edge, std::max(p.y, q.y));
     if (!above) return;
     const double rows = std::abs(q.y - p.y), dx = (below->x - above->x) / rows, dz = (below->z - above->z) / rows;
-    // Over all rows of the edge the error may be as large as at one end, so the error of a change is multiplied by the number of rows.
+    // Over all rows of the edge the error may be as large as at one end, so the error of a change is multiplied by the
+    // number of rows.
     if (!truth().same_coordinate(e.dx.number, dx, rows) || !truth().same_depth(e.dz.number, dz, rows)) {
         throw False{Symptom::edge,
                     say({"from row to row edge {} of {} changes by dx = {}, dz = {}",
@@ -184,8 +185,9 @@ void ZBufferJudge::judge(const event::AelDrop& e) const {
     judge_next_end(e.next.number, active);
 }
 
-/// Whether it is the first row whose centre lies at that height or below it. If the height is that of a centre, it may be the row after.
-/// Without a height it is a row beyond the area. The rows of a program may also end at the sides of the area.
+/// Whether it is the first row whose centre lies at that height or below it. If the height is that of a centre, it may
+/// be the row after. Without a height it is a row beyond the area. The rows of a program may also end at the sides of
+/// the area.
 bool ZBufferJudge::is_next(double row, const std::optional<double>& height) const {
     const Area& area = scene().area;
     if (!height) return row >= area.bottom();
@@ -231,7 +233,8 @@ void ZBufferJudge::judge_next_end(double next, const std::vector<int>& active) c
                       : say({"AEL is empty", "AEL пуст"})};
 }
 
-/// Whether a row at height y is that of a part into which lines through two of the polygon's vertices cut it, such as a triangle of a fan.
+/// Whether a row at height y is that of a part into which lines through two of the polygon's vertices cut it, such as a
+/// triangle of a fan.
 bool ZBufferJudge::is_part_of_row(double left, double right, double y) const {
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     const auto is_end = [&](double x) {

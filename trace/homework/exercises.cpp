@@ -255,8 +255,8 @@ private:
         const auto first = std::size_t(random_.whole(0, int(vertices.size()) - 1));
         for (std::size_t i = 0; i < count; ++i) vertices[(first + i) % vertices.size()] += glm::dvec3(by, up);
     }
-    /// Gives a polygon another plane, of a depth in sixteenths at its first vertex, and with it all polygons in its plane. A slope of 0
-    /// remains one.
+    /// Gives a polygon another plane, of a depth in sixteenths at its first vertex, and with it all polygons in its
+    /// plane. A slope of 0 remains one.
     void tilt(std::vector<ScenePolygon>& polygons, std::size_t place) {
         const Vertices vertices = polygons[place].vertices;
         constexpr int steepest = 4;
@@ -318,7 +318,8 @@ private:
     std::vector<std::ptrdiff_t> turns_;
 };
 
-/// The scene with its coordinates rounded; none if they no longer make admissible polygons. A polygon that rounding would bend is cut.
+/// The scene with its coordinates rounded; none if they no longer make admissible polygons. A polygon that rounding
+/// would bend is cut.
 std::optional<AdmittedScene> rounded_to(Resolution lattice, const Scene& scene) {
     Scene rounded = scene;
     rounded.polygons.clear();

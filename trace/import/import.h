@@ -26,14 +26,15 @@ struct ImportedScene {
     std::vector<Loss> losses;  // what the scene lacks
 };
 
-/// `bytes` are the file's contents, `file` is its name, whose extension gives the format: obj, off, ply or stl. `beside` reads the files
-/// that it names, such as libraries of materials. A polygon's id is the number of its face, from 0, after the name of its group, "wing:7";
-/// the parts of a face that had to be cut are 7.1, 7.2, ... Its colour is that of the file; without one, it is lighter the more the face
-/// turns to the viewer. Throws Refused.
+/// `bytes` are the file's contents, `file` is its name, whose extension gives the format: obj, off, ply or stl.
+/// `beside` reads the files that it names, such as libraries of materials. A polygon's id is the number of its face,
+/// from 0, after the name of its group, "wing:7"; the parts of a face that had to be cut are 7.1, 7.2, ... Its colour
+/// is that of the file; without one, it is lighter the more the face turns to the viewer. Throws Refused.
 ImportedScene import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options,
                           const Beside& beside = {});
 
-/// Reads the files beside this one. A name with the folders of another machine stands for the file of that name beside it.
+/// Reads the files beside this one. A name with the folders of another machine stands for the file of that name beside
+/// it.
 Beside files_beside(const std::string& file);
 
 /// The same for a file that is read here, with the files beside it.

@@ -1,12 +1,12 @@
 /// Mesh soup: the points, faces and colours of a mesh, and a reader for each format.
 ///
-/// The readers do not trust the counts in a file: they refuse a header that promises more than the file can hold, and a face with a
-/// vertex that does not exist. They pass over normals and texture coordinates, which no picture of ours has, and tell what else they
-/// leave out.
+/// The readers do not trust the counts in a file: they refuse a header that promises more than the file can hold, and a
+/// face with a vertex that does not exist. They pass over normals and texture coordinates, which no picture of ours
+/// has, and tell what else they leave out.
 ///
-/// CGAL's readers of these formats (IO/OBJ.h, OFF.h, PLY.h, STL.h of 5.5) would not do. They refuse a file by `false`, without line or
-/// reason, and stop at continued lines of OBJ and at PLY's strips. They pass over what they do not know in silence, the materials of OBJ
-/// among it.
+/// CGAL's readers of these formats (IO/OBJ.h, OFF.h, PLY.h, STL.h of 5.5) would not do. They refuse a file by `false`,
+/// without line or reason, and stop at continued lines of OBJ and at PLY's strips. They pass over what they do not know
+/// in silence, the materials of OBJ among it.
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ private:
     std::vector<Kind> kinds_;
 };
 
-/// The parts of a colour as a file gives them: from 0 to `most`. If `most` is not given, from 0 to 1 or, if one of the file's colours has
-/// a greater part, from 0 to 255.
+/// The parts of a colour as a file gives them: from 0 to `most`. If `most` is not given, from 0 to 1 or, if one of the
+/// file's colours has a greater part, from 0 to 255.
 struct WrittenColor {
     glm::dvec3 parts{0};
     std::optional<double> most = {};
@@ -81,8 +81,8 @@ struct MeshFormat {
 inline constexpr std::array mesh_formats{MeshFormat{"obj", read_obj}, MeshFormat{"off", read_off},
                                          MeshFormat{"ply", read_ply}, MeshFormat{"stl", read_stl}};
 
-/// Whether each face has three corners or more, all of points that exist. Numbers that are read in a layout which is not theirs seldom
-/// make such faces.
+/// Whether each face has three corners or more, all of points that exist. Numbers that are read in a layout which is
+/// not theirs seldom make such faces.
 bool has_plausible_faces(const MeshSoup& soup);
 
 /// The extensions of mesh files: ".obj, .off, .ply or .stl".

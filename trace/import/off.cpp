@@ -5,9 +5,9 @@ namespace vidno {
 
 namespace {
 
-/// How numbers are laid out. The format is free: its numbers may be anywhere, but a face's colour reaches to the end of its line. Many
-/// files have a vertex or a face in each line, some of them with numbers that the header does not announce. Others have several faces
-/// in a line, and so no colours.
+/// How numbers are laid out. The format is free: its numbers may be anywhere, but a face's colour reaches to the end of
+/// its line. Many files have a vertex or a face in each line, some of them with numbers that the header does not
+/// announce. Others have several faces in a line, and so no colours.
 struct OffLayout {
     enum { free, item_in_line, without_colors } lines = free;
     bool has_edges = true;        // their number, which some files lack

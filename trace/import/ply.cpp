@@ -39,7 +39,8 @@ struct PlyElement {
 
 enum class PlyFormat { ascii, little_endian, big_endian };
 
-/// How the numbers of an ASCII file are laid out: anywhere, or with an item in each line, as nearly all programs write them.
+/// How the numbers of an ASCII file are laid out: anywhere, or with an item in each line, as nearly all programs write
+/// them.
 enum class PlyLayout { free, item_in_line };
 
 /// The part of a PLY file after its header, number by number. Every number fits a double.
@@ -251,7 +252,8 @@ public:
     }
 
 private:
-    /// Whether there are as many lines as items, and at most one of them has not as many words as its item. That line is then wrong.
+    /// Whether there are as many lines as items, and at most one of them has not as many words as its item. That line
+    /// is then wrong.
     bool has_item_in_each_line() const {
         if (header_.format != PlyFormat::ascii) return false;
         TextWords words = words_;
@@ -372,8 +374,8 @@ private:
         }
     }
 
-    /// Each further corner of a strip makes a triangle with the two before it; every second one has the opposite direction. -1 begins a new
-    /// strip. A corner that is repeated joins two strips and makes no triangle.
+    /// Each further corner of a strip makes a triangle with the two before it; every second one has the opposite
+    /// direction. -1 begins a new strip. A corner that is repeated joins two strips and makes no triangle.
     void read_strips(PlyBody& body, const PlyElement& element) {
         const std::size_t place = list_of_corners(element);
         for (std::uint64_t i = 0; i < element.count; ++i) {

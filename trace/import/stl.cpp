@@ -107,8 +107,8 @@ private:
 
 }  // namespace
 
-/// A binary file may begin with "solid", like a text file. The last byte of its count of triangles is then 0, which no text contains: a
-/// greater count exceeds most_polygons.
+/// A binary file may begin with "solid", like a text file. The last byte of its count of triangles is then 0, which no
+/// text contains: a greater count exceeds most_polygons.
 MeshSoup read_stl(std::string_view bytes, const Beside&) {
     constexpr std::size_t end_of_count = stl_header_size + 3;
     const bool has_count = bytes.size() > end_of_count && bytes[end_of_count] == 0;

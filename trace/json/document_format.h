@@ -6,15 +6,15 @@
 
 namespace vidno {
 
-/// The member "format" of the outermost object or, if a key that only one format has comes first, that format. Empty if there is neither.
-/// Reads no further than that, and does not report errors.
+/// The member "format" of the outermost object or, if a key that only one format has comes first, that format. Empty if
+/// there is neither. Reads no further than that, and does not report errors.
 std::string document_format(std::string_view text);
 
 /// Whether two formats differ in their versions at most.
 bool are_of_one_kind(std::string_view format, std::string_view other);
 
-/// Why a file is not accepted where another format is read, or another version of it: in place of the first {} stands the format that is
-/// read, in place of the second the one found. The page has these words, too.
+/// Why a file is not accepted where another format is read, or another version of it: in place of the first {} stands
+/// the format that is read, in place of the second the one found. The page has these words, too.
 struct FormatWords {
     std::string_view other, newer, older;
 };

@@ -30,8 +30,8 @@ namespace {
 
 constexpr int deepest_nesting = 16;
 
-/// Builds the document from the parser's calls, and refuses what a tree could no longer show: text that is not JSON, with its place,
-/// nesting that is too deep, and a key that an object has twice.
+/// Builds the document from the parser's calls, and refuses what a tree could no longer show: text that is not JSON,
+/// with its place, nesting that is too deep, and a key that an object has twice.
 class DocumentBuilder : public nlohmann::json_sax<json> {
 public:
     explicit DocumentBuilder(std::string_view text) : text_(text) {}

@@ -21,7 +21,8 @@ struct NotJson : Refused {
     using Refused::Refused;
 };
 
-/// The document. Throws NotJson, or Misread for text that is nested too deeply or has an object with the same key twice.
+/// The document. Throws NotJson, or Misread for text that is nested too deeply or has an object with the same key
+/// twice.
 nlohmann::json parse_json(std::string_view text);
 
 /// Text from elsewhere, prepared for a message of one line: no control characters, and not too long.

@@ -1,7 +1,7 @@
 /// JsonScanner: reads JSON from its start, for readers of its most common form.
 ///
-/// A function that fails has read part of the text; the reader then gives up, and the tree of json_node.h reports the error. A function
-/// that succeeds agrees with the tree.
+/// A function that fails has read part of the text; the reader then gives up, and the tree of json_node.h reports the
+/// error. A function that succeeds agrees with the tree.
 #pragma once
 
 #include <algorithm>

@@ -51,7 +51,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Writes text to a place with room for all of it. A line of a trace is written in pieces of a few bytes, so each piece is just a copy.
+/// Writes text to a place with room for all of it. A line of a trace is written in pieces of a few bytes, so each piece
+/// is just a copy.
 struct Pen {
     char* at;
 
@@ -77,8 +78,8 @@ struct Shortest {
     char* operator()(char* to, double value) const { return std::to_chars(to, to + longest_number, value).ptr; }
 };
 
-/// Writes a whole number; gives its end. Not a template: the linker would keep the code of any unit that has it, and most are hardly
-/// optimized.
+/// Writes a whole number; gives its end. Not a template: the linker would keep the code of any unit that has it, and
+/// most are hardly optimized.
 char* write_integer(char* to, std::int64_t value);
 
 void append_integer(auto& out, std::integral auto value) {

@@ -54,7 +54,8 @@ private:
     /// At most six bytes of text. The last byte is their number; 0: not known yet.
     using Half = std::array<char, 8>;
 
-    /// The text of a multiple of 1/2 below 1024; null for other numbers. Most numbers of a trace are whole pixels and their centres.
+    /// The text of a multiple of 1/2 below 1024; null for other numbers. Most numbers of a trace are whole pixels and
+    /// their centres.
     const Half* half(double value) {
         const double twice = 2 * value;
         if (!(0 <= twice && twice < double(2 * halves_end))) return nullptr;

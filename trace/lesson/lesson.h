@@ -100,8 +100,8 @@ void trace_run(const AnyScene& scene, const LessonRun& run, const TraceWriter::W
 /// The steps of pins, by their names.
 using Steps = std::map<std::string, std::uint64_t>;
 
-/// Runs the lesson and finds its pins. `take` gets each trace in pieces. Adds to the problems each claim of a pin that the run contradicts,
-/// and what a scene lacks of its mesh.
+/// Runs the lesson and finds its pins. `take` gets each trace in pieces. Adds to the problems each claim of a pin that
+/// the run contradicts, and what a scene lacks of its mesh.
 /// Throws Refused for a scene that is refused.
 Steps run_lesson(const Lesson& lesson, Problems& problems,
                  const std::function<void(const LessonRun&, std::string_view)>& take = {});

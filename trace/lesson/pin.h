@@ -13,7 +13,8 @@ namespace vidno {
 struct Pin {
     std::string name, run;
     int line = 1;  // of lesson.json, where it stands
-    /// A path of partial events: the first event with the first fields, then the first one after it with the next fields, ...
+    /// A path of partial events: the first event with the first fields, then the first one after it with the next
+    /// fields, ...
     std::vector<nlohmann::json> find;
     nlohmann::json says = nlohmann::json::object();  // further fields that the last event must have
     std::optional<std::uint64_t> times;              // how many events of the whole run are like the last one

@@ -33,13 +33,15 @@ using Place = Point<LinearForm>;
 
 Sign sign_of(const Rational& value) { return Sign{int(CGAL::sign(value))}; }
 
-/// (a - pivot) x (b - pivot), where at most one point is the moved vertex. It is multiplied out, so that no product contains it twice.
+/// (a - pivot) x (b - pivot), where at most one point is the moved vertex. It is multiplied out, so that no product
+/// contains it twice.
 LinearForm cross(const Place& pivot, const Place& a, const Place& b) {
     const auto product = [](const Place& p, const Place& q) { return p.x * q.y - p.y * q.x; };
     return product(pivot, a) + product(a, b) + product(b, pivot);
 }
 
-/// A vertex of an outline while it is clipped: one of the polygon, an edge cut at a side of the window, or a corner of the window.
+/// A vertex of an outline while it is clipped: one of the polygon, an edge cut at a side of the window, or a corner of
+/// the window.
 struct OutlineVertex {
     std::optional<int> vertex{};
     std::vector<int> cut_at{};  // one side, or the two of a corner
@@ -196,9 +198,10 @@ LinearForm Collector::beyond(int side, const OutlineVertex& at) const {
     const auto& [cut_from, cut_to] = sides_[std::size_t(cut_at)];
     const bool is_parallel = (cut_from.x.c == cut_to.x.c) == (before.x.c == corner.x.c);
     if (is_parallel) return cross(corner, cut_from, before);
-    // On the edge from p to q the cut is at (cut_p q - cut_q p) / (cut_p - cut_q), where cut_p and cut_q are the distances of p and q
-    // beyond the side. The distance of the cut beyond the other side has the sign of cut_p next_q - cut_q next_p if the divisor is
-    // positive, which holds if p is outside. Multiplied out, it is the cross product of p and q about the corner, times a constant.
+    // On the edge from p to q the cut is at (cut_p q - cut_q p) / (cut_p - cut_q), where cut_p and cut_q are the
+    // distances of p and q beyond the side. The distance of the cut beyond the other side has the sign of cut_p next_q
+    // - cut_q next_p if the divisor is positive, which holds if p is outside. Multiplied out, it is the cross product
+    // of p and q about the corner, times a constant.
     const int edge = *at.edges.begin();
     const Place p = place(clipped_, edge), q = place(clipped_, next(clipped_, edge));
     const LinearForm turn = cross(corner_of(cut_at, side), p, q);
@@ -272,7 +275,8 @@ std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     return sides;
 }
 
-/// The part of a line inside the other half-planes, from `low` to `high` along it. An end without a value is at infinity.
+/// The part of a line inside the other half-planes, from `low` to `high` along it. An end without a value is at
+/// infinity.
 struct LinePart {
     std::optional<Rational> low, high;
     bool is_empty = false;

@@ -32,15 +32,15 @@ struct PageContent {
     std::string title(Language language) const;
 };
 
-/// The page that shows traces, with this content instead of its lessons, if there is any. It opens in the language, or else in the one that
-/// the browser prefers. Throws Refused if no page was built, or if it cannot run a scene.
+/// The page that shows traces, with this content instead of its lessons, if there is any. It opens in the language, or
+/// else in the one that the browser prefers. Throws Refused if no page was built, or if it cannot run a scene.
 std::string trace_page(const PageContent& content, std::optional<Language> language = std::nullopt);
 
 /// The address under which a browser opens a file of this machine. The path is absolute.
 std::string file_address(const std::filesystem::path& path);
 
-/// The page that shows a chart, with the chart and, if it was built, the address of the page that replays its runs. Throws Refused if no
-/// page was built.
+/// The page that shows a chart, with the chart and, if it was built, the address of the page that replays its runs.
+/// Throws Refused if no page was built.
 std::string chart_page(const std::string& json);
 
 /// The path of the script for Node that asks about a trace. Throws Refused if it was not built.

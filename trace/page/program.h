@@ -7,8 +7,8 @@
 
 namespace vidno {
 
-/// Runs a program from the path with an input, and returns its output. Its error messages go to standard error. Throws Refused if there is
-/// no such program, or with the last error message if its exit status is not 0.
+/// Runs a program from the path with an input, and returns its output. Its error messages go to standard error. Throws
+/// Refused if there is no such program, or with the last error message if its exit status is not 0.
 std::string output_of(const std::vector<std::string>& command, std::string_view input);
 
 }  // namespace vidno

@@ -20,11 +20,12 @@ inline std::string rgb_rows(const Picture& picture) {
 /// The picture as the bytes of a PNG file. Throws Refused if it is too large; `name` is the file in the reason.
 std::string encode_png(const Picture& picture, const std::string& name);
 
-/// The picture as the bytes of a PNG or PPM file. The extension of `name` selects the format: .png or .ppm. Throws Refused for any other.
+/// The picture as the bytes of a PNG or PPM file. The extension of `name` selects the format: .png or .ppm. Throws
+/// Refused for any other.
 std::string encode_image(const Picture& picture, const std::string& name);
 
-/// The picture of an area in the bytes of an image file, PNG or binary PPM, with 8 bits for each colour and no transparency. Throws Refused
-/// if the bytes are something else or the size is another.
+/// The picture of an area in the bytes of an image file, PNG or binary PPM, with 8 bits for each colour and no
+/// transparency. Throws Refused if the bytes are something else or the size is another.
 Picture decode_image(std::string_view bytes, const Area& area, const std::string& name);
 
 /// The rows from top to bottom of an area's picture, as rgb_rows gives them.

@@ -10,8 +10,8 @@ namespace vidno {
 
 namespace {
 
-/// Proves what shows in a rectangle of pixels, as Warnock's algorithm examines a window: it leaves out the polygons that do not show, and
-/// halves the rectangle if that does not decide it.
+/// Proves what shows in a rectangle of pixels, as Warnock's algorithm examines a window: it leaves out the polygons
+/// that do not show, and halves the rectangle if that does not decide it.
 class Prover {
 public:
     Prover(const AdmittedScene& scene, const std::function<void(const ProvedRectangle&)>& tell)

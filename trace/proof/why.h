@@ -1,4 +1,5 @@
-/// Why: for a pixel, which polygon shows and why the others do not, in exact numbers; and the smallest changes that would let another show.
+/// Why: for a pixel, which polygon shows and why the others do not, in exact numbers; and the smallest changes that
+/// would let another show.
 #pragma once
 
 #include <array>
@@ -31,11 +32,11 @@ struct AtPixel {
     int polygon = 0;
     Standing standing{};
     std::optional<Fraction> depth{};  // of its plane, unless it is edge-on
-    /// Beside: those that have the centre outside; all must reach it before the polygon holds it. Shows: the one nearest to the centre;
-    /// once it has passed the centre, the polygon does not hold it.
+    /// Beside: those that have the centre outside; all must reach it before the polygon holds it. Shows: the one
+    /// nearest to the centre; once it has passed the centre, the polygon does not hold it.
     std::vector<PassingEdge> edges{};
-    /// By how much the owner is nearer at the centre; none if it is not, or nothing shows. Shows: by how much the owner is nearer than the
-    /// next polygon that holds the centre.
+    /// By how much the owner is nearer at the centre; none if it is not, or nothing shows. Shows: by how much the owner
+    /// is nearer than the next polygon that holds the centre.
     std::optional<Fraction> gap{};
     /// Whether equal depths would do: of two, the first in the scene shows.
     bool wins_ties = false;

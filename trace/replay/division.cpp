@@ -76,7 +76,8 @@ std::vector<Window> Division::halved(const Window& root, const Area& shown, doub
     return found;
 }
 
-/// Without the windows that are too small to distinguish, and without one that is being cut: its first part begins at the same place.
+/// Without the windows that are too small to distinguish, and without one that is being cut: its first part begins at
+/// the same place.
 std::vector<Window> Division::cut_out(double least) const {
     std::vector<Window> found;
     const Area& area = marks_.area();

@@ -1,5 +1,5 @@
-/// FloatingHorizonState: everything that a run of curves holds at a step, rebuilt from its events alone. State is the equivalent for
-/// polygons.
+/// FloatingHorizonState: everything that a run of curves holds at a step, rebuilt from its events alone. State is the
+/// equivalent for polygons.
 #pragma once
 
 #include "format/floating_horizon_trace.h"

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 28;  // bytes
 
-// A seek reads at most the lines between two kept states: at the rate of the reader, these bytes take a fraction of a frame.
+// A seek reads at most the lines between two kept states: at the rate of the reader, these bytes take a fraction of a
+// frame.
 constexpr std::size_t least_spacing = std::size_t{1} << 16;
 constexpr std::size_t most_kept = 512;
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 26;

@@ -1,7 +1,7 @@
 /// Replay: a trace in memory, and the state of its run after any step.
 ///
-/// The trace grows at its end while it is read. Each line is checked and its event applied once; the states that are kept on the way make
-/// every step quick to reach, in either direction.
+/// The trace grows at its end while it is read. Each line is checked and its event applied once; the states that are
+/// kept on the way make every step quick to reach, in either direction.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,8 @@ using AnyState = std::variant<State, FloatingHorizonState>;
 
 class Replay {
 public:
-    /// Why there are fewer steps than the run has: the file ends too early, the run was stopped at a limit of events, or a line is wrong.
+    /// Why there are fewer steps than the run has: the file ends too early, the run was stopped at a limit of events,
+    /// or a line is wrong.
     struct Shortened {
         enum class Why : unsigned char { cut, partial, wrong };
         Why why;
@@ -31,8 +32,8 @@ public:
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
 
-    /// Adds the next bytes of the file. They may end anywhere. After a wrong line nothing more is added; if the first line is wrong, the
-    /// file is not a trace: throws Refused.
+    /// Adds the next bytes of the file. They may end anywhere. After a wrong line nothing more is added; if the first
+    /// line is wrong, the file is not a trace: throws Refused.
     void append(std::string bytes);
     /// There are no more bytes. Throws Refused if the file is not a trace.
     void finish();
@@ -54,7 +55,8 @@ public:
     /// The state of the last seek, at first that before all steps.
     const AnyState& shown() const { return run_->current; }
 
-    /// The event of a step, and the state after it. They stay until the next call; the state that is shown stays as it is.
+    /// The event of a step, and the state after it. They stay until the next call; the state that is shown stays as it
+    /// is.
     struct Looked {
         EventView event;
         const AnyState& after;
@@ -65,7 +67,8 @@ public:
     AnyState start() const { return run_->keyframes.front(); }
     EventView advance(AnyState& state);
 
-    /// Appends the values after a step as JSON (values.h), and goes there: from the second call on as they differ from those of the last one.
+    /// Appends the values after a step as JSON (values.h), and goes there: from the second call on as they differ from
+    /// those of the last one.
     void append_values(Text& out, std::uint64_t step);
 
 private:

@@ -29,8 +29,8 @@ public:
     Picture picture() const;
     /// Whether pixels that nothing has painted are background, and not merely unpainted so far.
     bool is_ground() const { return is_ground_; }
-    /// None before the Z-buffer is cleared, below level `polygons`, and in an area of more than 2^24 pixels, whose depths would fill the
-    /// memory.
+    /// None before the Z-buffer is cleared, below level `polygons`, and in an area of more than 2^24 pixels, whose
+    /// depths would fill the memory.
     const std::optional<Tiles<Value, 32>>& depths() const { return depths_; }
     const Division& division() const { return division_; }
     /// The last step that changed pixels or depths, and the last that divided a window.

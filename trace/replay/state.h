@@ -1,4 +1,5 @@
-/// State: everything that a method holds at a step, rebuilt from the events alone. FloatingHorizonState is the equivalent for curves.
+/// State: everything that a method holds at a step, rebuilt from the events alone. FloatingHorizonState is the
+/// equivalent for curves.
 #pragma once
 
 #include "choice/algorithm.h"

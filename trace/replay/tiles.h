@@ -1,7 +1,7 @@
 /// Tiles: one value for each pixel of an area, stored in square tiles.
 ///
-/// Copies share a tile until one of them writes to it, and tiles of one value share their memory. So a copy for a large area is cheap, and
-/// an area that was painted in a few rectangles takes little memory.
+/// Copies share a tile until one of them writes to it, and tiles of one value share their memory. So a copy for a large
+/// area is cheap, and an area that was painted in a few rectangles takes little memory.
 #pragma once
 
 #include <algorithm>

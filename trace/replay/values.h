@@ -12,8 +12,8 @@ class ValuesText {
 public:
     explicit ValuesText(PolygonNames names) : names_(std::move(names)) {}
 
-    /// Appends `{"step":N,"calls":[...],...}`. If `before` is given, fields that are the same in both are left out, and a list is written as
-    /// `{"from":N,"rest":[...]}`: how many items stay, and those that follow.
+    /// Appends `{"step":N,"calls":[...],...}`. If `before` is given, fields that are the same in both are left out, and
+    /// a list is written as `{"from":N,"rest":[...]}`: how many items stay, and those that follow.
     void append(Text& out, const State& state, const State::Values* before = nullptr);
     void append(Text& out, const FloatingHorizonState& state, const FloatingHorizonState::Values* before = nullptr);
 

@@ -1,8 +1,8 @@
 /// ExactNumber: an exact number of a run, a quotient of doubles for as long as these hold it.
 ///
-/// Most coordinates are doubles with few digits, and so are their sums and products; most depths are quotients of these. For them an
-/// operation on doubles gives the exact result, and shows that it does. Otherwise the result is a rational, which takes memory and a
-/// greatest common divisor.
+/// Most coordinates are doubles with few digits, and so are their sums and products; most depths are quotients of
+/// these. For them an operation on doubles gives the exact result, and shows that it does. Otherwise the result is a
+/// rational, which takes memory and a greatest common divisor.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,8 @@ inline std::optional<std::int64_t> shifted(std::int64_t value, int power) {
 
 /// The quotient of two finite doubles, the second positive, as "p/q" in lowest terms.
 inline std::string quotient_text(double over, double under) {
-    // A judged run writes each number that it uses. Nearly all of them are quotients of two words, which need no rationals.
+    // A judged run writes each number that it uses. Nearly all of them are quotients of two words, which need no
+    // rationals.
     const auto [p, p_power] = dyadic(over);
     const auto [q, q_power] = dyadic(under);
     const std::int64_t divisor = q == 1 ? 1 : std::gcd(p, q);

@@ -28,7 +28,8 @@ ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);
 /// The number of columns over which corresponding curves are drawn in only one of two drawings.
 std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other);
 
-/// Reports a run to the request's sink; the followers hear its decisions, and the result of each decision in Visibility.
+/// Reports a run to the request's sink; the followers hear its decisions, and the result of each decision in
+/// Visibility.
 DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

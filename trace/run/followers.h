@@ -1,4 +1,5 @@
-/// Followers: listeners to a run besides the sink of its events. They hear of a decision before the event that reports it.
+/// Followers: listeners to a run besides the sink of its events. They hear of a decision before the event that reports
+/// it.
 #pragma once
 
 #include <functional>
@@ -18,8 +19,8 @@ using Surveyor = std::function<void(const Surveyed&)>;
 /// Under `filtered`, hears what decided each comparison.
 using StageCount = std::function<void(FilterStage)>;
 
-/// Under `filtered` and `exact`, hears each sign of Weiler and Atherton's algorithm. The judge of such a run hears only the decisions that
-/// its events report.
+/// Under `filtered` and `exact`, hears each sign of Weiler and Atherton's algorithm. The judge of such a run hears only
+/// the decisions that its events report.
 using HearSign = std::function<void(Sign)>;
 
 /// Reports to the count, if there is one.

@@ -1,7 +1,8 @@
-/// MachineKernel: float, double, bits and depth as one kernel, for recorded runs that nobody judges. It is compiled once for all of them.
+/// MachineKernel: float, double, bits and depth as one kernel, for recorded runs that nobody judges. It is compiled
+/// once for all of them.
 ///
-/// Its numbers are mere values, which a page computes with while a corner is dragged. The thread has their arithmetic: numbers that carry
-/// it take up to 1.2 times as long. So a thread has one such kernel at a time.
+/// Its numbers are mere values, which a page computes with while a corner is dragged. The thread has their arithmetic:
+/// numbers that carry it take up to 1.2 times as long. So a thread has one such kernel at a time.
 #pragma once
 
 #include <cmath>
@@ -99,7 +100,8 @@ struct MachineKernel : NumberKernel<MachineNumber, MachineEntry> {
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
-    // A page computes these two most often, and most often in binary32, where the arithmetic is chosen once for the whole formula.
+    // A page computes these two most often, and most often in binary32, where the arithmetic is chosen once for the
+    // whole formula.
 
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
         if (!MachineNumber::is_binary32()) return NumberKernel::cross(pivot, a, b);

@@ -1,8 +1,8 @@
 /// Questions: the decisions of a run as a judge sees them.
 ///
-/// A question has the answer, computed in numbers of any arithmetic; the names of its operands; and the pairs of numbers whose
-/// comparison determines the answer. It reports each pair as `tell(left, right)`, or with the column or row whose centre is the right
-/// number.
+/// A question has the answer, computed in numbers of any arithmetic; the names of its operands; and the pairs of
+/// numbers whose comparison determines the answer. It reports each pair as `tell(left, right)`, or with the column or
+/// row whose centre is the right number.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

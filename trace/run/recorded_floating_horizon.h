@@ -1,4 +1,5 @@
-/// The procedure set of recorded and judged runs over curves. It selects the edition at run time, as recorded_set.h does for polygons.
+/// The procedure set of recorded and judged runs over curves. It selects the edition at run time, as recorded_set.h
+/// does for polygons.
 #pragma once
 
 #include "choice/edition.h"

@@ -1,5 +1,5 @@
-/// The procedure sets of recorded and judged runs. The method and the edition are chosen at run time, so that one set is compiled for all
-/// of them. Each function calls the text of the set that has it.
+/// The procedure sets of recorded and judged runs. The method and the edition are chosen at run time, so that one set
+/// is compiled for all of them. Each function calls the text of the set that has it.
 #pragma once
 
 #include <array>
@@ -76,8 +76,8 @@ struct AnyMethod : family::Full {
     }
 };
 
-/// The same with the deviations of an edition, for kernels that run the printed text. If several deviations concern one function, the
-/// first one applies.
+/// The same with the deviations of an edition, for kernels that run the printed text. If several deviations concern one
+/// function, the first one applies.
 struct AnyEdition : AnyMethod {
     using ZBufferDefects = printed::ZBufferDefects;
 

@@ -12,8 +12,8 @@
 
 namespace vidno {
 
-/// A visible region of Weiler and Atherton's algorithm, in the numbers of its kernel: its loops, with the opposite orientation for holes,
-/// and its area in square pixels.
+/// A visible region of Weiler and Atherton's algorithm, in the numbers of its kernel: its loops, with the opposite
+/// orientation for holes, and its area in square pixels.
 struct ShownRegion {
     PolygonPlace polygon;
     RegionLoops loops;
@@ -37,7 +37,8 @@ struct RunRequest {
     bool* loses = nullptr;
 };
 
-/// What the run of the request loses (see RunLosses). Steps are counted at level `signs`. It runs once more, with a trace.
+/// What the run of the request loses (see RunLosses). Steps are counted at level `signs`. It runs once more, with a
+/// trace.
 std::vector<Loss> losses_of(RunRequest request);
 
 /// Throws whatever the sink throws; a writer throws EventLimitReached.

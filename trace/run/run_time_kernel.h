@@ -1,10 +1,10 @@
-/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for judged and exact runs. It is compiled once for all of these
-/// arithmetics.
+/// RunTimeKernel: float, double, bits, depth and exact as one kernel, for judged and exact runs. It is compiled once
+/// for all of these arithmetics.
 ///
-/// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on the same numbers, and
-/// exactly on the truth beside them. The first answer is the run's. The judge hears which of the others differ from it, and may query
-/// the numbers behind the decision. Orientation and clip sides are judged by CGAL's predicate, everything else by exact rationals. An
-/// exact run takes each decision once.
+/// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on the same
+/// numbers, and exactly on the truth beside them. The first answer is the run's. The judge hears which of the others
+/// differ from it, and may query the numbers behind the decision. Orientation and clip sides are judged by CGAL's
+/// predicate, everything else by exact rationals. An exact run takes each decision once.
 #pragma once
 
 #include <cmath>
@@ -359,7 +359,8 @@ public:
     static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
 
 protected:
-    /// If someone hears the signs of a run, only the comparisons of its numbers are judged: its events report no other decision.
+    /// If someone hears the signs of a run, only the comparisons of its numbers are judged: its events report no other
+    /// decision.
     void tell_compared(const Number& v, const Number& w) const {
         if (judge_of_compared_) judged_by(*judge_of_compared_, question::Compare{}, v, w);
     }

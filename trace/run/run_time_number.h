@@ -1,4 +1,5 @@
-/// RunTimeNumber: a number whose arithmetic is chosen at run time, so that procedures are compiled once for all arithmetics.
+/// RunTimeNumber: a number whose arithmetic is chosen at run time, so that procedures are compiled once for all
+/// arithmetics.
 ///
 /// In a judged run it also carries the truth: the same expression in exact rationals, along the path that was taken.
 #pragma once

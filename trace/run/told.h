@@ -1,8 +1,8 @@
 /// Runs that are reported to the request's sink: one translation unit per kernel, for all methods and editions.
 ///
-/// `double`, `filtered` and `grid` are compiled for their own numbers, since a page runs them while a corner is dragged. `float`, `bits`
-/// and `depth` share one kernel of rounded numbers (machine_kernel.h); `exact` and every judged run share one whose numbers carry the
-/// truth (run_time_kernel.h).
+/// `double`, `filtered` and `grid` are compiled for their own numbers, since a page runs them while a corner is
+/// dragged. `float`, `bits` and `depth` share one kernel of rounded numbers (machine_kernel.h); `exact` and every
+/// judged run share one whose numbers carry the truth (run_time_kernel.h).
 #pragma once
 
 #include "run/run.h"

@@ -1,7 +1,7 @@
 /// Operations on doubles that need no rounding, and the rounding errors of products.
 ///
-/// An error of rounding is itself a double that can be computed: T. J. Dekker, "A Floating-Point Technique for Extending the Available
-/// Precision", 1971.
+/// An error of rounding is itself a double that can be computed: T. J. Dekker, "A Floating-Point Technique for
+/// Extending the Available Precision", 1971.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,8 @@ struct Product {
     double nearest, error;
 };
 
-/// None if the product is nearly infinite, or too small for its error to be a double. Not by std::fma, which is slow in WebAssembly.
+/// None if the product is nearly infinite, or too small for its error to be a double. Not by std::fma, which is slow in
+/// WebAssembly.
 inline std::optional<Product> product(double a, double b) {
     if (a == 0 || b == 0) return Product{0, 0};
     const double nearest = a * b;

@@ -6,7 +6,8 @@
 
 namespace vidno {
 
-/// Usual mistakes and single defects are compiled only for reported runs. Without a trace they report to a sink that ignores the events.
+/// Usual mistakes and single defects are compiled only for reported runs. Without a trace they report to a sink that
+/// ignores the events.
 constexpr bool is_compiled_untraced(Edition edition) {
     return edition == Edition::corrected || edition == Edition::printed;
 }

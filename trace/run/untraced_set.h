@@ -17,7 +17,8 @@ namespace vidno {
 template <KernelKind kind>
 struct KernelOf;
 
-/// The visitor of a run without a trace: it reports progress at each window, polygon, list or curve, and whether something is lost.
+/// The visitor of a run without a trace: it reports progress at each window, polygon, list or curve, and whether
+/// something is lost.
 struct Pacer : NoTrace {
     const std::function<void()>& progress;
     bool* loses = nullptr;  // none: nobody asks

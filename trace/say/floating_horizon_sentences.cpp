@@ -122,7 +122,8 @@ struct CurveSentences : CurveWords {
         }
         return {};
     }
-    /// The horizon that a segment meets. Which one differs between editions (X-H2) where the segment comes out of hiding below.
+    /// The horizon that a segment meets. Which one differs between editions (X-H2) where the segment comes out of
+    /// hiding below.
     Bilingual met_at(Line at) const {
         const Bilingual unknown{"the horizon", "с горизонтом"};
         const auto& [segment, previous, current] = after().place;

@@ -1,5 +1,5 @@
-/// The numbers of a trace as a sentence writes them: short, in the format of a language, with a real minus sign, and with `≈` where digits
-/// are missing.
+/// The numbers of a trace as a sentence writes them: short, in the format of a language, with a real minus sign, and
+/// with `≈` where digits are missing.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,8 @@ std::string signed_number(int value);
 /// The order of two numbers: less, equal or greater. None if one of them is no number.
 std::optional<Sign> order_of(const Value& one, const Value& other);
 
-/// Whether an answer to "is z nearer than the other depth?" agrees with the depths as written. It need not: some kernels compare more than
-/// they write, and a trace may be wrong.
+/// Whether an answer to "is z nearer than the other depth?" agrees with the depths as written. It need not: some
+/// kernels compare more than they write, and a trace may be wrong.
 bool agrees(bool nearer, const Value& z, const Value& other);
 
 }  // namespace vidno::say

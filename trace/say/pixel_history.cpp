@@ -154,7 +154,8 @@ private:
         return after.weiler_atherton().list_in_hand();
     }
 
-    /// Whether the region contains the pixel's centre; one on the outline may count as either. Doubles are accurate enough to show.
+    /// Whether the region contains the pixel's centre; one on the outline may count as either. Doubles are accurate
+    /// enough to show.
     bool is_over(const RegionLoops& region) const {
         bool inside = false;
         for (const auto& loop : region) {

@@ -1,5 +1,5 @@
-/// The history of a pixel: the steps that concern it, what each means for it, and why it has its colour. In a run of curves, that of a
-/// column.
+/// The history of a pixel: the steps that concern it, what each means for it, and why it has its colour. In a run of
+/// curves, that of a column.
 #pragma once
 
 #include <optional>

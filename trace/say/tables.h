@@ -1,5 +1,5 @@
-/// The tables of sentences. Each algorithm has one, which says in both languages what each of its events means; so have the events that all
-/// algorithms share.
+/// The tables of sentences. Each algorithm has one, which says in both languages what each of its events means; so have
+/// the events that all algorithms share.
 #pragma once
 
 #include "say/words.h"

@@ -11,7 +11,8 @@ namespace vidno::say {
 inline constexpr std::array<std::string_view, 4> in_corner{"в левом верхнем углу", "в левом нижнем углу",
                                                            "в правом верхнем углу", "в правом нижнем углу"};
 
-/// Whose colour it is: that of one polygon or of the background, or of all that have it if the trace does not say which.
+/// Whose colour it is: that of one polygon or of the background, or of all that have it if the trace does not say
+/// which.
 struct Owners {
     std::vector<std::string> polygons{};
     bool background = false;

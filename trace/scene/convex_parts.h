@@ -1,10 +1,11 @@
 /// ConvexParts: a simple polygon of the plane cut into few convex ones, exactly.
 ///
-/// Source  G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975), cuts into triangles; S. Hertel and K. Mehlhorn,
-///         Fast triangulation of simple polygons, FCT 1983, leave out the diagonals that the parts do not need to be convex.
+/// Source  G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975), cuts into triangles; S. Hertel
+///         and K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983, leave out the diagonals that the parts do
+///         not need to be convex.
 /// Takes   vertices, whose z is ignored; the outline may touch itself, as where a hole is bridged.
-/// Gives   convex outlines of indices, with the orientation of the outline; none if the outline crosses itself or has no area. Two parts
-///         that meet share whole edges.
+/// Gives   convex outlines of indices, with the orientation of the outline; none if the outline crosses itself or has
+///         no area. Two parts that meet share whole edges.
 /// Time    quadratic for usual outlines, cubic at worst.
 #pragma once
 
@@ -92,7 +93,8 @@ inline std::optional<std::size_t> place_of_edge(const Outline& outline, std::siz
     return std::nullopt;
 }
 
-/// Two parts joined along their common edge, which begins at these indices in them; nothing if the joined outline is not convex.
+/// Two parts joined along their common edge, which begins at these indices in them; nothing if the joined outline is
+/// not convex.
 inline std::optional<Outline> joined_along(const std::vector<glm::dvec3>& vertices, Outline one, std::size_t at,
                                            Outline other, std::size_t other_at, int sign) {
     std::rotate(one.begin(), one.begin() + std::ptrdiff_t(at) + 1, one.end());  // the common edge comes last

@@ -11,7 +11,8 @@ namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_quad;
 
-/// The wide value, rounded once. Libraries agree on zeros and on what is not finite, so `narrow` is one of these already.
+/// The wide value, rounded once. Libraries agree on zeros and on what is not finite, so `narrow` is one of these
+/// already.
 double rounded(double narrow, auto&& wide) {
     return narrow != 0 && std::isfinite(narrow) ? static_cast<double>(wide()) : narrow;
 }

@@ -1,5 +1,5 @@
-/// The functions of formulas that libraries round differently. Here they have the same values on every machine. They take microseconds,
-/// so the page has quicker ones (trace/wasm/elementary.cpp).
+/// The functions of formulas that libraries round differently. Here they have the same values on every machine. They
+/// take microseconds, so the page has quicker ones (trace/wasm/elementary.cpp).
 #pragma once
 
 /// Calls `with(name)` for the name of each function of one argument.

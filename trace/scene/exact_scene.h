@@ -1,4 +1,5 @@
-/// The library's exact decisions on scenes, compiled once, so that code that reads or changes scenes does not compile CGAL.
+/// The library's exact decisions on scenes, compiled once, so that code that reads or changes scenes does not compile
+/// CGAL.
 ///
 /// vidno/admission.h, look.h and snap.h describe these functions.
 #pragma once
@@ -18,7 +19,8 @@ PolygonAdmission admit_polygon(ScenePolygon& polygon);
 PolygonAdmission admit_in_world(ScenePolygon& polygon);
 std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon);
 
-/// The admitted parts of a planar polygon that is not convex, all with its id; none if its outline touches or crosses itself.
+/// The admitted parts of a planar polygon that is not convex, all with its id; none if its outline touches or crosses
+/// itself.
 std::vector<ScenePolygon> cut_into_convex_parts(const ScenePolygon& polygon);
 /// The same in the world.
 std::vector<ScenePolygon> cut_into_convex_parts_in_world(const ScenePolygon& polygon);

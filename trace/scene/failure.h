@@ -1,5 +1,5 @@
-/// Failure files, `vidno-failure/1`: a scene on which a run fails, the run that holds, and what can be seen. The atlas, lessons/failures,
-/// consists of these.
+/// Failure files, `vidno-failure/1`: a scene on which a run fails, the run that holds, and what can be seen. The atlas,
+/// lessons/failures, consists of these.
 #pragma once
 
 #include <optional>

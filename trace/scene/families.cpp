@@ -111,7 +111,8 @@ Group shared_edges(RandomPolygons& random, const Area& area) {
     return {first, second};
 }
 
-/// Vertices in line with the corners of windows, along their sides and diagonals, where octants meet and rays pass through vertices.
+/// Vertices in line with the corners of windows, along their sides and diagonals, where octants meet and rays pass
+/// through vertices.
 Group octants(RandomPolygons& random, const Area& area) {
     const double corner_x = area.x + 2 * random.whole(0, area.width / 2);
     const double corner_y = area.y + 2 * random.whole(0, area.height / 2);

@@ -1,7 +1,7 @@
 /// Families: random scenes, each of one kind, the same on every machine.
 ///
-/// A sub-pixel grid makes coincidences common: vertices on centres, on outlines and on each other. Moving by ulps turns coincidences into
-/// near coincidences.
+/// A sub-pixel grid makes coincidences common: vertices on centres, on outlines and on each other. Moving by ulps turns
+/// coincidences into near coincidences.
 #pragma once
 
 #include <array>
@@ -60,7 +60,8 @@ struct RandomPolygons {
         return vertices;
     }
 
-    /// A triangle thinner than a pixel, or without area: its third vertex is this far to the right of the middle of the others.
+    /// A triangle thinner than a pixel, or without area: its third vertex is this far to the right of the middle of the
+    /// others.
     Corners sliver(const Area& area, double off) {
         const glm::dvec3 a = vertex(area);
         const glm::dvec3 b = vertex(area);
@@ -99,8 +100,8 @@ AdmittedScene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& rand
 /// The same for each height.
 AdmittedCurves moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
 
-/// Makes a scene valid after its vertices were changed: z between -1 and 1, and polygons that are no longer planar or convex cut into
-/// triangles.
+/// Makes a scene valid after its vertices were changed: z between -1 and 1, and polygons that are no longer planar or
+/// convex cut into triangles.
 AdmittedScene admitted(Scene scene);
 
 }  // namespace vidno

@@ -1,4 +1,5 @@
-/// The parser is here, not in a library, because the program and the page must accept the same formulas, and no library is available to both.
+/// The parser is here, not in a library, because the program and the page must accept the same formulas, and no library
+/// is available to both.
 #include "scene/height_function.h"
 
 #include <algorithm>

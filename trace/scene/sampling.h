@@ -38,9 +38,10 @@ FunctionSurface on_each_column(FunctionSurface surface);
 
 /// The curves, the nearest first. Where the function is not finite, or too large to be shown, a sample has no point.
 ///
-/// With a tolerance there are more samples where a curve needs them: while the curve is farther than the tolerance from the line between
-/// two samples over any column, or begins or ends between them, one more is put halfway. Every column between is examined, so that no peak
-/// or gap as wide as a column is missed. At worst there is a sample on each column.
+/// With a tolerance there are more samples where a curve needs them: while the curve is farther than the tolerance from
+/// the line between two samples over any column, or begins or ends between them, one more is put halfway. Every column
+/// between is examined, so that no peak or gap as wide as a column is missed. At worst there is a sample on each
+/// column.
 std::vector<Curve> sampled(const FunctionSurface& surface);
 
 }  // namespace vidno

@@ -1,5 +1,6 @@
-/// Reading checks in this order: the text as JSON (depth and repeated keys during parsing), the keys and types, the values, and finally
-/// the polygons' shapes, exactly. An error in the text ends it; all other errors are reported together.
+/// Reading checks in this order: the text as JSON (depth and repeated keys during parsing), the keys and types, the
+/// values, and finally the polygons' shapes, exactly. An error in the text ends it; all other errors are reported
+/// together.
 #include "scene/scene_json.h"
 
 #include <algorithm>

@@ -16,8 +16,8 @@ struct SceneWithWarnings {
     std::vector<std::string> warnings;  // what was dropped or cut; each line begins with the file
 };
 
-/// `text` is the JSON, `file` is its name in messages. Everything but the vertices has a default: the window is the span of the vertices,
-/// a colour comes from the palette. Throws Refused, with a line for each fault.
+/// `text` is the JSON, `file` is its name in messages. Everything but the vertices has a default: the window is the
+/// span of the vertices, a colour comes from the palette. Throws Refused, with a line for each fault.
 SceneWithWarnings read_scene(std::string_view text, const std::string& file);
 
 /// The same for a scene inside another document, with the name of that document's file. Throws Misread.

@@ -76,7 +76,8 @@ inline constexpr auto scene_names = std::to_array<Bilingual>({
      "Kettner, Mehlhorn, Pion, Schirra, Yap 2008, рисунок 2 (c)"},
 });
 
-/// The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as they are.
+/// The name of a scene in the language. An exercise made from a scene has its name and a number. Other names remain as
+/// they are.
 inline std::string name_in(Language language, const std::string& name) {
     constexpr std::string_view before_number = " · ";
     const std::size_t end = std::min(name.find(before_number), name.size());

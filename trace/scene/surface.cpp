@@ -1,5 +1,5 @@
-/// Reading checks in this order: the text as JSON, the keys and types, the values, and finally whether each curve has its samples on the
-/// window's columns. An error in the text ends it; all other errors are reported together.
+/// Reading checks in this order: the text as JSON, the keys and types, the values, and finally whether each curve has
+/// its samples on the window's columns. An error in the text ends it; all other errors are reported together.
 #include "scene/surface.h"
 
 #include <algorithm>

@@ -29,15 +29,15 @@ std::size_t sample_count(const CurveScene& curves);
 /// The total number of columns over which the curves have points.
 std::size_t column_count(const CurveScene& curves);
 
-/// The gaps of the curves in a sentence: how many samples have no point, and where the first is; empty if there are none. A gap is no loss:
-/// the surface is not there.
+/// The gaps of the curves in a sentence: how many samples have no point, and where the first is; empty if there are
+/// none. A gap is no loss: the surface is not there.
 std::string gaps_in_words(const CurveScene& curves);
 
 /// Whether a scene file is a surface, by its contents.
 bool is_surface(std::string_view text);
 
-/// `text` is the JSON, `file` is its name in messages. A function is replaced by its samples. Format, name and window have defaults: the
-/// window is the span of the samples. Throws Refused, with a line for each fault.
+/// `text` is the JSON, `file` is its name in messages. A function is replaced by its samples. Format, name and window
+/// have defaults: the window is the span of the samples. Throws Refused, with a line for each fault.
 Surface read_surface(std::string_view text, const std::string& file);
 
 /// The same for a surface inside another document. Throws Misread.

@@ -8,8 +8,8 @@
 
 namespace vidno {
 
-/// An orientation, with its point in the middle of the map, whose steps are those of doubles there. Throws Refused, with the name of the
-/// file first, if anything else fails.
+/// An orientation, with its point in the middle of the map, whose steps are those of doubles there. Throws Refused,
+/// with the name of the file first, if anything else fails.
 MappedDecision failed_decision(const Failure& failure, const std::string& file);
 
 }  // namespace vidno

@@ -34,14 +34,15 @@ struct SignMap {
     int differing() const;
 };
 
-/// The signs at the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as in the corrected procedures.
+/// The signs at the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as in the corrected
+/// procedures.
 SignMap sign_map(const MappedDecision& decision, const NamedKernel& kernel, int side = MappedDecision::side);
 
 /// The hue shows the computed answer; it is dark where it differs from the exact one.
 Color color_of(const SignMap::Cell& cell);
 
-/// The map in the colours of its cells, with p at the lower left, as in the published maps. Black and white pixels side by side mark the
-/// border where the exact answer changes.
+/// The map in the colours of its cells, with p at the lower left, as in the published maps. Black and white pixels side
+/// by side mark the border where the exact answer changes.
 Picture picture_of(const SignMap& map);
 
 std::string map_json(const SignMap& map);

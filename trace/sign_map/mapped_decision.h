@@ -18,8 +18,8 @@ namespace vidno {
 using AnswerNames = std::array<std::string_view, 3>;
 inline constexpr AnswerNames three_signs{"negative", "zero", "positive"};
 
-/// On which side of the line from q to r does p lie? The differences are taken from the pivot, always in the same order around the
-/// triangle. In exact arithmetic the pivot makes no difference.
+/// On which side of the line from q to r does p lie? The differences are taken from the pivot, always in the same order
+/// around the triangle. In exact arithmetic the pivot makes no difference.
 struct MappedOrientation {
     static constexpr std::string_view decision = "orientation";
     static constexpr AnswerNames answers = three_signs;

@@ -1,4 +1,5 @@
-/// The files of decisions to be mapped, `vidno-question/1`: reading with every rule checked. lessons/maps/README.md describes them.
+/// The files of decisions to be mapped, `vidno-question/1`: reading with every rule checked. lessons/maps/README.md
+/// describes them.
 #pragma once
 
 #include <string>

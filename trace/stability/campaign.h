@@ -37,8 +37,9 @@ struct Block {
     std::uint64_t first, end;
 };
 
-/// The blocks of a campaign by number. They come in rounds: in each, every experiment in every family has trials of about the same cost. So a
-/// campaign with more trials has the same blocks, those of the last round perhaps with more trials, and then others.
+/// The blocks of a campaign by number. They come in rounds: in each, every experiment in every family has trials of
+/// about the same cost. So a campaign with more trials has the same blocks, those of the last round perhaps with more
+/// trials, and then others.
 class Blocks {
 public:
     /// Throws Refused for an unknown name, or too many trials.

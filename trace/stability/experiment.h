@@ -47,7 +47,8 @@ inline constexpr std::array tally_fields{
 using Tallies = std::vector<Tally>;
 
 struct Experiment {
-    /// The kind of an experiment, which determines what is counted: decisions and pixels; pixels from scene to scene, twice; windows.
+    /// The kind of an experiment, which determines what is counted: decisions and pixels; pixels from scene to scene,
+    /// twice; windows.
     enum class Kind : unsigned char { moved, swept, changed, grown };
 
     Kind kind;
@@ -64,8 +65,8 @@ extern const std::array<Experiment, 21> experiments;
 /// A method for polygons, or none for the floating horizon.
 using TriedMethod = std::optional<Method>;
 
-/// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. A trial with a scene that
-/// is too wide for `grid` is skipped, and counted as such.
+/// Runs a trial. A method counts nothing under a kernel that does not run it, or for a scene that it does not take. A
+/// trial with a scene that is too wide for `grid` is skipped, and counted as such.
 Tallies try_out(const Experiment& experiment, const std::vector<AdmittedScene>& series,
                 const std::vector<NamedKernel>& kernels, const std::vector<TriedMethod>& methods);
 

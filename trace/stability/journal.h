@@ -8,8 +8,9 @@ namespace vidno {
 
 class Journal {
 public:
-    /// Begins a file with its first line, or continues one that has it; a partial line at the end, from a run that was killed, is dropped.
-    /// Throws Refused, without a change, if the file begins differently, if another program writes it, or if its file system has no locks.
+    /// Begins a file with its first line, or continues one that has it; a partial line at the end, from a run that was
+    /// killed, is dropped. Throws Refused, without a change, if the file begins differently, if another program writes
+    /// it, or if its file system has no locks.
     Journal(const std::string& name, std::string_view first_line);
     ~Journal();
     Journal(const Journal&) = delete;

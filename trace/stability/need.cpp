@@ -90,7 +90,8 @@ private:
         return "";
     }
 
-    /// The bits of coordinates, which are snapped. Polygons that would not stay planar or convex are first cut into triangles.
+    /// The bits of coordinates, which are snapped. Polygons that would not stay planar or convex are first cut into
+    /// triangles.
     void places() {
         Resolution finest{0, 0};
         for (const auto& polygon : least_->polygons) {

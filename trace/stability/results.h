@@ -34,8 +34,8 @@ public:
     bool has(const Block& block) const;
     std::uint64_t missing() const { return missing_; }
 
-    /// Adds a finished block, and gives its line for a file; it counts once, however often it is added. Throws Refused if it came out
-    /// otherwise before.
+    /// Adds a finished block, and gives its line for a file; it counts once, however often it is added. Throws Refused
+    /// if it came out otherwise before.
     std::string add(const Block& block, const Tallies& tallies);
     /// The same for the line of a file.
     void add_line(const std::string& line, const std::string& place);
@@ -58,12 +58,14 @@ private:
     std::vector<Tallies> sums_;       // by family and, within it, experiment
 };
 
-/// Merges the files of one campaign, and writes the merged file if there is an output. A file in the order of blocks is read line by line,
-/// another as a whole. Throws Refused, also if files have different results for a block, or were made by different versions.
+/// Merges the files of one campaign, and writes the merged file if there is an output. A file in the order of blocks is
+/// read line by line, another as a whole. Throws Refused, also if files have different results for a block, or were
+/// made by different versions.
 Results merged(const std::vector<std::string>& files, OutputFile* output);
 
-/// Gives a file of results more trials, by its first line. The first block that will have more of them is dropped with those after it, at most
-/// a round, so that a run continues the file in order. Throws Refused if the file has as many trials already.
+/// Gives a file of results more trials, by its first line. The first block that will have more of them is dropped with
+/// those after it, at most a round, so that a run continues the file in order. Throws Refused if the file has as many
+/// trials already.
 void extend(const std::string& file, std::uint64_t count);
 
 }  // namespace vidno

@@ -1,7 +1,7 @@
 /// Shrink: the smallest scene that still has a property.
 ///
-/// Source  A. Zeller and R. Hildebrandt, Simplifying and isolating failure-inducing input, IEEE Transactions on Software
-///         Engineering 28(2), 2002.
+/// Source  A. Zeller and R. Hildebrandt, Simplifying and isolating failure-inducing input, IEEE Transactions on
+///         Software Engineering 28(2), 2002.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ namespace vidno {
 using Property = std::function<bool(const AdmittedScene&)>;
 
 /// Takes   a scene with the property.
-/// Gives   a scene that has it too, but loses it if any polygon or any vertex is left out, or any coordinate is rounded to
-///         fewer binary places.
+/// Gives   a scene that has it too, but loses it if any polygon or any vertex is left out, or any coordinate is rounded
+///         to fewer binary places.
 AdmittedScene shrunk(AdmittedScene scene, const Property& keeps);
 
 /// The same for curves: the result cannot lose a curve, a sample or a binary place of a height.

@@ -97,7 +97,8 @@ from_chars_result from_chars(const char* first, const char* last, double& value,
     assert(format == chars_format::hex);
     const string text = "0x" + string(first, last);
     char* end = nullptr;
-    // Not strtod, which rounds twice if the double is subnormal. 113 bits hold the written number, and are rounded once.
+    // Not strtod, which rounds twice if the double is subnormal. 113 bits hold the written number, and are rounded
+    // once.
     const auto read = double(strtold(text.c_str(), &end));
     const auto length = end - text.c_str() - 2;
     if (length <= 0) return {first, errc::invalid_argument};

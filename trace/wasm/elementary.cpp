@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-// A dragged surface is sampled anew for each frame, and functions that are rounded once would take a hundred times as long. These may
-// differ from them in the last digit.
+// A dragged surface is sampled anew for each frame, and functions that are rounded once would take a hundred times as
+// long. These may differ from them in the last digit.
 namespace vidno::elementary {
 
 #define VIDNO_DEFINED(name) \

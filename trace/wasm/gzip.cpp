@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-// Node compresses and expands. Both calls return the size of the result, which `packing_take` then copies to the given place. Expanding
-// returns -1 - size if the data are damaged or end too early; what could be read is kept.
+// Node compresses and expands. Both calls return the size of the result, which `packing_take` then copies to the given
+// place. Expanding returns -1 - size if the data are damaged or end too early; what could be read is kept.
 #define FROM_NODE(name) [[clang::import_module("vidno"), clang::import_name(name)]] extern "C"
 FROM_NODE("packed") std::uint32_t vidno_packed(const char* bytes, std::size_t size);
 FROM_NODE("unpacked") std::int32_t vidno_unpacked(const char* bytes, std::size_t size);

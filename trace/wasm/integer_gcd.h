@@ -1,5 +1,5 @@
-// Included before everything else. Without GMP, rationals are quotients of Boost's integers, and each result is reduced. Boost 1.74
-// subtracts and shifts for each bit, which takes most of the time of a run in exact numbers.
+// Included before everything else. Without GMP, rationals are quotients of Boost's integers, and each result is
+// reduced. Boost 1.74 subtracts and shifts for each bit, which takes most of the time of a run in exact numbers.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +45,8 @@ struct EuclideanSteps {
     std::uint64_t a = 1, b = 0, c = 0, d = 1;
 };
 
-/// The steps that u and v take for certain, from their leading bits, u >= v (Lehmer; Knuth, The Art of Computer Programming 2, 4.5.2,
-/// algorithm L). The factors have at most 32 bits.
+/// The steps that u and v take for certain, from their leading bits, u >= v (Lehmer; Knuth, The Art of Computer
+/// Programming 2, 4.5.2, algorithm L). The factors have at most 32 bits.
 inline EuclideanSteps certain_steps(std::int64_t u, std::int64_t v) {
     std::int64_t a = 1, b = 0, c = 0, d = 1;
     while (v + c != 0 && v + d != 0) {

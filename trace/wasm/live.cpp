@@ -1,8 +1,8 @@
-/// vidno.wasm: makes a trace of a scene for a page, with the same bytes as `vidno trace`, and what it shows about runs. replay.wasm reads
-/// traces.
+/// vidno.wasm: makes a trace of a scene for a page, with the same bytes as `vidno trace`, and what it shows about runs.
+/// replay.wasm reads traces.
 ///
-/// exchange.h says how a page asks. A request is a line of JSON, followed by a file. For a trace: the fields of its header except the
-/// scene, and two more; and the scene's file:
+/// exchange.h says how a page asks. A request is a line of JSON, followed by a file. For a trace: the fields of its
+/// header except the scene, and two more; and the scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
@@ -12,18 +12,19 @@
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
 ///
-/// For the list of a run's decisions: the same as for a trace. For a margin: the run, a step of level signs and a vertex; and the
-/// scene's file:
+/// For the list of a run's decisions: the same as for a trace. For a margin: the run, a step of level signs and a
+/// vertex; and the scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","step":12,"polygon":"A","vertex":2}
 ///     {"format":"vidno-scene/1",...}
 ///
 /// For a failure: its file alone. The result is a line of JSON:
 ///
-///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,"pixel":[x,y]|null}
+///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,
+///      "pixel":[x,y]|null}
 ///
-/// with texts in both languages, `source` empty if nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and a description of
-/// what is seen at the step in `there`.
+/// with texts in both languages, `source` empty if nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and
+/// a description of what is seen at the step in `there`.
 
 #include <string>
 #include <string_view>
@@ -266,11 +267,12 @@ void make_failure(Exchange& page) {
 
 extern "C" {
 
-/// Makes the requested trace. False if it was refused; the messages then give the reason, otherwise warnings, one per line.
+/// Makes the requested trace. False if it was refused; the messages then give the reason, otherwise warnings, one per
+/// line.
 [[clang::export_name("run")]] bool vidno_run() { return vidno::attempt(vidno::make_trace); }
 
-/// Makes the requested map, or is refused in the same way: one character per place, '0' to '8', the row of p first. The digit is three
-/// times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
+/// Makes the requested map, or is refused in the same way: one character per place, '0' to '8', the row of p first. The
+/// digit is three times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::attempt(vidno::make_map); }
 
 /// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way.

@@ -1,6 +1,6 @@
-// Included before everything else. Without GMP, CGAL's rationals are quotients of Boost's integers. CGAL computes each result and reduces
-// it. Here, smaller integers are reduced before they are multiplied (Knuth, The Art of Computer Programming 2, 4.5.1). If the operands are in
-// lowest terms, so is the result.
+// Included before everything else. Without GMP, CGAL's rationals are quotients of Boost's integers. CGAL computes each
+// result and reduces it. Here, smaller integers are reduced before they are multiplied (Knuth, The Art of Computer
+// Programming 2, 4.5.1). If the operands are in lowest terms, so is the result.
 #pragma once
 
 #include <CGAL/boost_mp.h>

@@ -1,41 +1,48 @@
 /// replay.wasm: the library in a page's own thread. It reads traces and has the state of their runs after any step.
 ///
-/// exchange.h says how a page asks. A trace has a number. An append adds the request to the trace's file; it may end anywhere. The other
-/// functions need no request. What they make is text in UTF-8: JSON, or nothing.
+/// exchange.h says how a page asks. A trace has a number. An append adds the request to the trace's file; it may end
+/// anywhere. The other functions need no request. What they make is text in UTF-8: JSON, or nothing.
 ///
 ///     trace_open()           the number of a new trace, which has no bytes yet
 ///     trace_close(t)         forgets it
-///     trace_append(t)        adds the next bytes of its file; false if the file is not a trace, for the reason in the messages, "/path:
-///                            reason" or "reason"; it is then forgotten
+///     trace_append(t)        adds the next bytes of its file; false if the file is not a trace, for the reason in the
+///                            messages, "/path: reason" or "reason"; it is then forgotten
 ///     trace_finish(t)        the file has ended; false in the same way
 ///     trace_header(t)        makes the first line as the library writes it; nothing before it was read
-///     trace_shortened(t)     makes {"why":"cut"|"partial"|"wrong","line":N,"reason":R}, with the reason of a wrong line in the form of
-///                            the messages, otherwise empty; nothing if the steps are those of the file so far
+///     trace_shortened(t)     makes {"why":"cut"|"partial"|"wrong","line":N,"reason":R}, with the reason of a wrong
+///                            line in the form of the messages, otherwise empty; nothing if the steps are those of the
+///                            file so far
 ///     trace_length(t)        the number of steps read so far
 ///     trace_names(t)         for each step the index of its event in the table of events, one byte each
 ///     trace_line(t, step)    makes the text of a step's event as it was read
 ///     trace_sentence(t, step, language)
-///                            makes the sentence that says what a step does, in the language with this place in the table of languages
-///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last (values.h)
+///                            makes the sentence that says what a step does, in the language with this place in the
+///                            table of languages
+///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last
+///                            (values.h)
 ///
-/// The history of a pixel of a trace, or of a column of a run of curves, has a number, too. It reads the trace step by step.
+/// The history of a pixel of a trace, or of a column of a run of curves, has a number, too. It reads the trace step by
+/// step.
 ///
 ///     history_open(t, x, y)  the number of a new history, which has read nothing yet
 ///     history_close(h)       forgets it
 ///     history_read(h, until) reads on to this step, and makes the steps that concern the pixel as a list of
-///                            {"step":N,"outcome":"pass"|"fail"|"paint"|"wrong"|"note","under":U}: a window, a polygon or a curve was current
+///                            {"step":N,"outcome":"pass"|"fail"|"paint"|"wrong"|"note","under":U}: a window, a polygon
+///                            or a curve was current
 ///     history_sentence(h, step, outcome, language)
 ///                            makes the sentence of such a step, whose outcome is given by its place among these words
 ///     history_why(h, step, is_later, language)
-///                            makes the reason why the pixel has the colour that this step painted, or why it will have it
+///                            makes the reason why the pixel has the colour that this step painted, or why it will
+///                            have it
 ///
-/// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an empty one has.
+/// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an
+/// empty one has.
 ///
 ///     painted_at(t)          the last step that changed the pixels or the depths
 ///     divided_at(t)          the last step that divided a window
 ///     is_ground(t)           whether pixels that nothing has painted are background, and not merely unpainted so far
-///     pixel(t, x, y)         a pixel of the plane as a canvas has it: red in the lowest byte. One that nothing has painted has the colour
-///                            of the background with alpha 0. One outside the area is 0.
+///     pixel(t, x, y)         a pixel of the plane as a canvas has it: red in the lowest byte. One that nothing has
+///                            painted has the colour of the background with alpha 0. One outside the area is 0.
 ///     painter(t, x, y)       the step that painted it last; 0 if none has
 ///     pixel_rows(t, y, n)    the pixels of the area's n rows from y, one after the other
 ///     row_repeats(t, y)      whether the pixels of a row are those of the row above it
@@ -43,8 +50,9 @@
 ///     depth(t, x, y)         the depth of a pixel of the area as a double, at least nearly
 ///     depth_text(t, x, y)    makes it as JSON
 ///     windows(t, x, y, width, height, least)
-///                            the windows of the area's division in a part of the plane: their number and then the x, y, width and height
-///                            of each, all doubles. Windows of a lesser side than `least` are left out, or merged.
+///                            the windows of the area's division in a part of the plane: their number and then the x,
+///                            y, width and height of each, all doubles. Windows of a lesser side than `least` are left
+///                            out, or merged.
 ///
 /// Bytes, pixels and windows stay where they are until the next call.
 

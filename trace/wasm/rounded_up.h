@@ -1,6 +1,7 @@
-// Included before everything else. CGAL's intervals set the rounding mode to upward, where there is one. Here there is none, and each
-// operation would step to the next number even if nothing was lost: 1 + 1 would be an interval, and appear as 2.0000000000000004. So we
-// compute the loss; the bounds are then those of a machine with rounding modes, to the last bit.
+// Included before everything else. CGAL's intervals set the rounding mode to upward, where there is one. Here there is
+// none, and each operation would step to the next number even if nothing was lost: 1 + 1 would be an interval, and
+// appear as 2.0000000000000004. So we compute the loss; the bounds are then those of a machine with rounding modes, to
+// the last bit.
 
 #pragma once
 

@@ -1,5 +1,5 @@
-// Included before everything else. Without GMP, CGAL's rationals are quotients of Boost's integers, and CGAL splits a double into two
-// doubles: below 2^-1023 the denominator would be infinite.
+// Included before everything else. Without GMP, CGAL's rationals are quotients of Boost's integers, and CGAL splits a
+// double into two doubles: below 2^-1023 the denominator would be infinite.
 #pragma once
 
 #include <CGAL/boost_mp.h>

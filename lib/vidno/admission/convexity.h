@@ -45,7 +45,8 @@ inline bool is_exactly_convex(const Vertices& vertices, const std::vector<std::s
 /// Follows an outline around the convex hull of its vertices.
 class HullWalk {
 public:
-    /// The outline holds indices of vertices at different places, in either direction. Seen from the viewer its area is not 0.
+    /// The outline holds indices of vertices at different places, in either direction. Seen from the viewer its area is
+    /// not 0.
     HullWalk(const Vertices& vertices, std::vector<std::size_t> outline)
         : vertices_(vertices),
           outline_(std::move(outline)),
@@ -94,7 +95,8 @@ public:
 private:
     static constexpr std::ptrdiff_t none = -1;
 
-    /// The monotone chain of Andrew: from the leftmost corner along the upper side of the screen and back along the lower one.
+    /// The monotone chain of Andrew: from the leftmost corner along the upper side of the screen and back along the
+    /// lower one.
     void find_corners() {
         std::vector<std::size_t> sorted = outline_;
         std::sort(sorted.begin(), sorted.end(), [&](std::size_t i, std::size_t j) {
@@ -133,8 +135,8 @@ private:
         return true;
     }
 
-    /// By how many corners the outline advances from one corner to the next that it passes. Negative if it goes back within the
-    /// tolerance; none if it leaves the hull's order.
+    /// By how many corners the outline advances from one corner to the next that it passes. Negative if it goes back
+    /// within the tolerance; none if it leaves the hull's order.
     std::optional<std::ptrdiff_t> corners_ahead(std::ptrdiff_t from, std::ptrdiff_t to) const {
         const std::ptrdiff_t count = std::ssize(corners_), forward = (to - from + count) % count;
         if (forward == 0 || is_step(from, to)) return forward;

@@ -1,5 +1,5 @@
-/// The arithmetic of admission: turns and directions of points on the screen, and distances as shares of a polygon's extent. A function
-/// of numbers takes intervals first, and rationals where these cannot decide.
+/// The arithmetic of admission: turns and directions of points on the screen, and distances as shares of a polygon's
+/// extent. A function of numbers takes intervals first, and rationals where these cannot decide.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

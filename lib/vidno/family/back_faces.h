@@ -9,8 +9,8 @@ namespace vidno {
 
 struct BackFaces {
     /// Takes   a convex polygon that is not edge-on, counter-clockwise as seen from outside the body.
-    /// Gives   whether it looks away: the viewer then sees its vertices in clockwise order, and c > 0, since y grows downward.
-    ///         The sign of c is that of the first turn that is not 0.
+    /// Gives   whether it looks away: the viewer then sees its vertices in clockwise order, and c > 0, since y grows
+    ///         downward. The sign of c is that of the first turn that is not 0.
     /// Time    a cross product a vertex, up to that turn.
     template <class Run>
     static bool looks_away(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {

@@ -1,7 +1,8 @@
 /// BoxTest: the two lines of the relation test that use only the box around the polygon.
 ///
 /// Takes   a polygon and a window.
-/// Gives   outside or inside, or nothing if the box cannot decide. A box that touches the window from outside does not decide.
+/// Gives   outside or inside, or nothing if the box cannot decide. A box that touches the window from outside does not
+///         decide.
 #pragma once
 
 #include <optional>

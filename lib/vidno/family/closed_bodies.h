@@ -2,13 +2,14 @@
 ///
 /// Polygons that share edges make a body. It is closed and convex if
 ///   - each edge belongs to two of its polygons, which traverse it in opposite directions;
-///   - each polygon has an area, all of its vertices lie in its plane, and all other vertices of the body in it or behind it.
-/// The vertices of a polygon run counter-clockwise as seen from the front, as in a mesh. Since y grows downward, its normal,
-/// Newell's sum, points backward, and a polygon with c < 0 faces the viewer.
+///   - each polygon has an area, all of its vertices lie in its plane, and all other vertices of the body in it or
+///     behind it.
+/// The vertices of a polygon run counter-clockwise as seen from the front, as in a mesh. Since y grows downward, its
+/// normal, Newell's sum, points backward, and a polygon with c < 0 faces the viewer.
 ///
-/// Faces that look away may be removed: the polygons of a body cover its hull. Where a line of sight meets the hull, the
-/// nearest point is on a closed face that looks towards the viewer, or a limit of such points and so on one too. A face that
-/// looks away is never nearer. It may be equally near on the body's outline.
+/// Faces that look away may be removed: the polygons of a body cover its hull. Where a line of sight meets the hull,
+/// the nearest point is on a closed face that looks towards the viewer, or a limit of such points and so on one too. A
+/// face that looks away is never nearer. It may be equally near on the body's outline.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,9 @@
-/// EdgeDepth: an edge-on polygon is the segment that it is projected to, as near as its nearest point in the line of sight.
+/// EdgeDepth: an edge-on polygon is the segment that it is projected to, as near as its nearest point in the line of
+/// sight.
 ///
-/// Its plane is parallel to the lines of sight and gives no depth. A line of sight that meets the polygon meets its outline.
-/// The nearest of the edges that it crosses is the one with the greatest depth. Where it runs along an edge, the nearest point
-/// is the nearer end.
+/// Its plane is parallel to the lines of sight and gives no depth. A line of sight that meets the polygon meets its
+/// outline. The nearest of the edges that it crosses is the one with the greatest depth. Where it runs along an edge,
+/// the nearest point is the nearer end.
 #pragma once
 
 #include "../run.h"
@@ -11,9 +12,9 @@ namespace vidno {
 
 struct EdgeDepth {
     /// Takes   a run before any depth is computed.
-    /// Gives   each edge-on polygon the depths of its edges, as planes. Many planes pass through an edge. We choose one whose depth
-    ///         changes with x alone, or with y alone, or not at all. Its third corner may lie anywhere along the other axis. It is
-    ///         put on a side of the area, where no kernel that is always right rounds it.
+    /// Gives   each edge-on polygon the depths of its edges, as planes. Many planes pass through an edge. We choose one
+    ///         whose depth changes with x alone, or with y alone, or not at all. Its third corner may lie anywhere
+    ///         along the other axis. It is put on a side of the area, where no kernel that is always right rounds it.
     template <class Run>
     static void initialize_edges(Run& run) {
         for (auto& polygon : run.polygons) {

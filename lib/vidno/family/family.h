@@ -1,6 +1,7 @@
 /// The Warnock family: procedure sets that combine the variants of the algorithm, to be chosen and compared.
 ///
-///     vidno::Picture picture = vidno::render<vidno::family::Full>(vidno::Method::warnock_full, scene, vidno::Double{});
+///     using namespace vidno;
+///     const Picture picture = render<family::Full>(Method::warnock_full, scene, Double{});
 ///
 /// Each set paints the picture rule on the scenes of its domain, or the variation stated above the set.
 #pragma once
@@ -83,8 +84,8 @@ struct EdgeOn : Full {
     }
 };
 
-/// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body such a face may be as
-/// near as one that faces the viewer; the latter then shows.
+/// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body such a face
+/// may be as near as one that faces the viewer; the latter then shows.
 struct Bodies : Corrected {
     static constexpr std::string_view name = "bodies";
     static constexpr auto methods = std::to_array({Method::warnock_bodies});

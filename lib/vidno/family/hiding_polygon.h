@@ -1,9 +1,10 @@
 /// HidingPolygon: the surrounding polygon that hides all others in a window, if the depths at its corners show one.
 ///
 /// Takes   a window, and the polygons that surround it, lie in it or intersect it, in the order of the scene.
-/// Gives   a surrounding one whose plane is the nearest at all four corners, the first of equally near ones; or none. This is
-///         sufficient, since planes are linear over the window. It is not necessary, since a plane may be nearer outside its
-///         polygon. An edge-on polygon has no depth at the corners; if there is one, the result is none.
+/// Gives   a surrounding one whose plane is the nearest at all four corners, the first of equally near ones; or none.
+///         This is sufficient, since planes are linear over the window. It is not necessary, since a plane may be
+///         nearer outside its polygon. An edge-on polygon has no depth at the corners; if there is one, the result is
+///         none.
 /// Time    four depths a polygon.
 #pragma once
 

@@ -1,4 +1,5 @@
-/// OctantAngles: the angle under which a window sees a polygon's outline, in octants: a full turn if the polygon surrounds it.
+/// OctantAngles: the angle under which a window sees a polygon's outline, in octants: a full turn if the polygon
+/// surrounds it.
 ///
 /// The lines of its sides divide the plane around the window into eight octants, numbered clockwise on the screen:
 ///
@@ -8,9 +9,10 @@
 ///     --+---+--
 ///     6 | 5 | 4
 ///
-/// A point on a line counts as beyond it. The angle of an edge is the difference of its ends' octants, the shorter way round.
-/// For half of a full turn neither way is shorter: the edge then passes a corner of the window, and the line of a side there
-/// splits it in two. The side of the corner on which the edge passes determines the octant in which the parts meet.
+/// A point on a line counts as beyond it. The angle of an edge is the difference of its ends' octants, the shorter way
+/// round. For half of a full turn neither way is shorter: the edge then passes a corner of the window, and the line of
+/// a side there splits it in two. The side of the corner on which the edge passes determines the octant in which the
+/// parts meet.
 ///
 /// Takes   a polygon, edge-on or not, and a window that none of its edges meets.
 /// Gives   the sum: 8 or -8 octants if the polygon surrounds the window, 0 if it is outside.

@@ -1,11 +1,12 @@
-/// RayCrossings: how often does a ray from a point cross a polygon's outline? An odd number of times if the polygon holds it.
+/// RayCrossings: how often does a ray from a point cross a polygon's outline? An odd number of times if the polygon
+/// holds it.
 ///
-/// The ray goes to the right. Where it passes through vertices or along edges, the count depends on the side to which the
-/// outline leaves the ray. If it returns to the side that it came from, it touches the ray, which counts two. If it leaves to
-/// the other side, it pierces the ray, which counts one.
+/// The ray goes to the right. Where it passes through vertices or along edges, the count depends on the side to which
+/// the outline leaves the ray. If it returns to the side that it came from, it touches the ray, which counts two. If it
+/// leaves to the other side, it pierces the ray, which counts one.
 ///
-/// Takes   a polygon, edge-on or not, and a window that none of its edges meets; the point is the window's centre, so it is
-///         not on the outline.
+/// Takes   a polygon, edge-on or not, and a window that none of its edges meets; the point is the window's centre, so
+///         it is not on the outline.
 /// Gives   the number of crossings.
 /// Time    a cross product for each edge that passes from one side of the ray to the other.
 #pragma once

@@ -1,8 +1,9 @@
 /// Relation: how a polygon lies in relation to a window.
 ///
-/// A window U excludes its sides: they lie at whole pixels, and the centres by which it is painted are not on them. A polygon
-/// that only touches a side from outside shows at none of these centres and is outside. A polygon that covers U contains all of
-/// them, wherever its outline runs, and surrounds U. Exactly one relation holds between a closed polygon P and U:
+/// A window U excludes its sides: they lie at whole pixels, and the centres by which it is painted are not on them. A
+/// polygon that only touches a side from outside shows at none of these centres and is outside. A polygon that covers U
+/// contains all of them, wherever its outline runs, and surrounds U. Exactly one relation holds between a closed
+/// polygon P and U:
 ///
 ///   outside       P and U have no point in common
 ///   inside        P lies in U

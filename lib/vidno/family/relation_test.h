@@ -1,8 +1,8 @@
 /// RelationTest: the relation of a polygon to a window, with the cheap tests first.
 ///
 /// Takes   a polygon, edge-on or not, and a window.
-/// Gives   the relation (relation.h). If the box does not decide and no edge meets the window, the whole window is on one side
-///         of the outline, so the containment test of the set decides for any point of it.
+/// Gives   the relation (relation.h). If the box does not decide and no edge meets the window, the whole window is on
+///         one side of the outline, so the containment test of the set decides for any point of it.
 #pragma once
 
 #include "calls.h"

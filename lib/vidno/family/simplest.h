@@ -1,8 +1,9 @@
 /// SimplestWarnock: every window that may not be empty is split, down to the pixels.
 ///
 /// Takes   a run with its polygons.
-/// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones. A polygon
-///         leaves a window's list if its box is outside; only at a pixel PointColor asks exactly whether it holds the centre.
+/// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones. A
+///         polygon leaves a window's list if its box is outside; only at a pixel PointColor asks exactly whether it
+///         holds the centre.
 /// Time    the number of windows grows with the area of the polygons' boxes.
 #pragma once
 

@@ -1,12 +1,13 @@
-/// ThreeListsWarnock: a polygon that surrounds a window or is outside it has that relation to its parts too, and is not tested
-/// again.
+/// ThreeListsWarnock: a polygon that surrounds a window or is outside it has that relation to its parts too, and is not
+/// tested again.
 ///
 /// Three lists hold the polygons over the whole run: the surrounding ones, those outside, and the third, of all others.
-/// Windows are visited depth first, so the first two lists are stacks, as AW is. A polygon that joined a list at a window
-/// belongs there for the parts of that window, which have higher levels and come before any other window. When a window of the
-/// same level or a lower one comes, the polygon goes back to the third list.
+/// Windows are visited depth first, so the first two lists are stacks, as AW is. A polygon that joined a list at a
+/// window belongs there for the parts of that window, which have higher levels and come before any other window. When a
+/// window of the same level or a lower one comes, the polygon goes back to the third list.
 ///
-/// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's full form.
+/// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's full
+///         form.
 /// Takes   a run with its polygons.
 /// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
 /// Time    a window tests the polygons whose outlines its parent saw, and compares the depths of those that may show.
@@ -92,7 +93,8 @@ private:
         lists.put_in_order(lists.third);
     }
 
-    /// Moves out of the third list the polygons that surround the window or are outside it. Gives the relation of the last that stays.
+    /// Moves out of the third list the polygons that surround the window or are outside it. Gives the relation of the
+    /// last that stays.
     static Relation sort_out(auto& run, auto& lists, const Window& window, int level) {
         using enum Line;
         auto& trace = run.trace;

@@ -1,11 +1,13 @@
 /// TrialFunction: does an edge of the polygon meet the window?
 ///
-/// The trial function of an edge, f = A x + B y + C, is 0 on its line: a cross product. If it has both signs at the window's
-/// corners, the line passes through the window. The edge is finite and may end before it. The text computes where the line
-/// meets the window's sides, and tests whether these points are on the edge. We test the ends instead, without a division and
-/// so without rounding: an edge whose line passes through the window misses it only if both ends lie beyond one side.
+/// The trial function of an edge, f = A x + B y + C, is 0 on its line: a cross product. If it has both signs at the
+/// window's corners, the line passes through the window. The edge is finite and may end before it. The text computes
+/// where the line meets the window's sides, and tests whether these points are on the edge. We test the ends instead,
+/// without a division and so without rounding: an edge whose line passes through the window misses it only if both ends
+/// lie beyond one side.
 ///
-/// Takes   a polygon that is not a point, and a window without its sides: an edge that only touches them does not meet it.
+/// Takes   a polygon that is not a point, and a window without its sides: an edge that only touches them does not meet
+///         it.
 /// Gives   whether an edge meets the window; edges after the first that does are not tested.
 /// Time    four cross products an edge.
 #pragma once

@@ -1,6 +1,7 @@
 /// VertexSplit: the parts of a window on either side of a vertex in it, where detail is likely.
 ///
-/// Windows consist of whole pixels: the split is at the pixel boundaries next to the vertex in x and y, if inside the window.
+/// Windows consist of whole pixels: the split is at the pixel boundaries next to the vertex in x and y, if inside the
+/// window.
 ///
 /// Takes   a window of more than a pixel, and polygons.
 /// Gives   its parts about the first vertex in it that has such a boundary, else about its middle.
@@ -37,7 +38,8 @@ struct VertexSplit {
     }
 
 private:
-    /// The parts on either side of the first boundaries of a column and a row; fewer than four if one is a side of the window.
+    /// The parts on either side of the first boundaries of a column and a row; fewer than four if one is a side of the
+    /// window.
     static WindowParts parts_about(const Window& window, double column, double row) {
         WindowParts parts;
         for (const auto& [left, right] : {std::pair(window.x, column), std::pair(column, window.right())}) {

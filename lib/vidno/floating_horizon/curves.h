@@ -1,4 +1,5 @@
-/// Curves: what the floating horizon draws, a surface cut by planes z = const, each seen as a line from sample to sample.
+/// Curves: what the floating horizon draws, a surface cut by planes z = const, each seen as a line from sample to
+/// sample.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 
 namespace vidno {
 
-/// In screen space, on a whole column. y grows downward, so a higher point has the smaller y. It may leave the area. Where the
-/// surface has no point, it is not finite.
+/// In screen space, on a whole column. y grows downward, so a higher point has the smaller y. It may leave the area.
+/// Where the surface has no point, it is not finite.
 struct Sample {
     int x = 0;
     double y = 0;

@@ -1,33 +1,36 @@
-/// FloatingHorizon: the visible parts of curves, from the nearest to the farthest: those beyond what the nearer curves reach.
+/// FloatingHorizon: the visible parts of curves, from the nearest to the farthest: those beyond what the nearer curves
+/// reach.
 ///
-/// Source  H. Williamson, Algorithm 420: Hidden-line plotting program, CACM 15(2), 1972; T. J. Wright, A two-space solution
-///         to the hidden line problem for plotting functions of two variables, IEEE Transactions on Computers C-22(1), 1973;
-///         the course's form, which is that of D. F. Rogers, Procedural Elements for Computer Graphics, 1985.
+/// Source  H. Williamson, Algorithm 420: Hidden-line plotting program, CACM 15(2), 1972; T. J. Wright, A two-space
+///         solution to the hidden line problem for plotting functions of two variables, IEEE Transactions on Computers
+///         C-22(1), 1973; the course's form, which is that of D. F. Rogers, Procedural Elements for Computer Graphics,
+///         1985.
 /// Takes   a run with its curves.
 /// Gives   the run's lines, in the order of the curves and from left to right, and its horizons.
 /// Time    a few comparisons for each curve and column.
 ///
-/// The rule. Over a column the upper horizon is the highest point, and the lower horizon the lowest, of the earlier curves and
-/// of the side edges up to this curve's left one; an edge counts over the columns between its ends. Where none of them reaches,
-/// there is no horizon. Between neighbouring columns that both have a horizon, it is the straight line between them; elsewhere
-/// there is none. A point of a curve is visible if there is no horizon, or if it is not strictly between the two: a point that
-/// touches one is visible. Lines include their ends, also where a horizon begins.
+/// The rule. Over a column the upper horizon is the highest point, and the lower horizon the lowest, of the earlier
+/// curves and of the side edges up to this curve's left one; an edge counts over the columns between its ends. Where
+/// none of them reaches, there is no horizon. Between neighbouring columns that both have a horizon, it is the straight
+/// line between them; elsewhere there is none. A point of a curve is visible if there is no horizon, or if it is not
+/// strictly between the two: a point that touches one is visible. Lines include their ends, also where a horizon
+/// begins.
 ///
-/// Gaps. Where the surface has no point, its curve has a gap: FH4 to FH9 draw it piece by piece, and over the columns of the gap
-/// it neither shows nor hides anything. The side edges lead to the outer ends of its pieces. They end before a curve that has no
-/// piece, and begin anew after it.
+/// Gaps. Where the surface has no point, its curve has a gap: FH4 to FH9 draw it piece by piece, and over the columns
+/// of the gap it neither shows nor hides anything. The side edges lead to the outer ends of its pieces. They end before
+/// a curve that has no piece, and begin anew after it.
 ///
-/// Differences from the text, besides X-H1 and X-H2 (printed.h). The scan of the text ends in Visibility: we do not know the
-/// rest of it, nor Horizon and Intersection, so the printed edition uses ours.
-/// - X-H5. We examine a curve over every column, not only at its samples, since an obstacle between two samples hides it too.
-///   The text advises more samples at sharp peaks.
-/// - X-H4. We compare a curve with the horizons that the earlier curves left, and raise a second pair. The text has one pair, so
-///   that a curve that dips under a horizon meets what it has just raised itself, up to a column too early. Likewise an edge
-///   counts at its ends, where it meets the curve that it leads to.
-/// - X-H6. A point may be on both horizons, where these meet. The text has one flag for it, and takes a continuation below them
-///   for a crossing of both.
-/// - X-H3. Initially there are no horizons. Those of the text begin at the sides of the screen: if two curves lie beyond one, the
-///   farther may be hidden though nothing is in front of it.
+/// Differences from the text, besides X-H1 and X-H2 (printed.h). The scan of the text ends in Visibility: we do not
+/// know the rest of it, nor Horizon and Intersection, so the printed edition uses ours.
+/// - X-H5. We examine a curve over every column, not only at its samples, since an obstacle between two samples hides
+///   it too. The text advises more samples at sharp peaks.
+/// - X-H4. We compare a curve with the horizons that the earlier curves left, and raise a second pair. The text has one
+///   pair, so that a curve that dips under a horizon meets what it has just raised itself, up to a column too early.
+///   Likewise an edge counts at its ends, where it meets the curve that it leads to.
+/// - X-H6. A point may be on both horizons, where these meet. The text has one flag for it, and takes a continuation
+///   below them for a crossing of both.
+/// - X-H3. Initially there are no horizons. Those of the text begin at the sides of the screen: if two curves lie
+///   beyond one, the farther may be hidden though nothing is in front of it.
 #pragma once
 
 #include "floating_horizon_run.h"

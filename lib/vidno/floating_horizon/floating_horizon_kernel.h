@@ -1,7 +1,8 @@
-/// FloatingHorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, and their comparison.
+/// FloatingHorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, and their
+/// comparison.
 ///
-/// OnColumns<K> adapts a kernel K. The general form computes each formula in K's own numbers; the one for `filtered` is in
-/// kernels/filtered_heights.h.
+/// OnColumns<K> adapts a kernel K. The general form computes each formula in K's own numbers; the one for `filtered` is
+/// in kernels/filtered_heights.h.
 #pragma once
 
 #include <concepts>
@@ -21,7 +22,8 @@ concept FloatingHorizonKernel = requires(const K& kernel, const Segment& segment
     // Compares two heights over one column: positive if the first is above the second.
     { kernel.compare(height, height) } -> std::same_as<Sign>;
 
-    // Where a segment crosses a horizon that has these heights over a column and the next; it is above one and below the other.
+    // Where a segment crosses a horizon that has these heights over a column and the next; it is above one and below
+    // the other.
     { kernel.crossing(segment, 0, height, height) } -> std::same_as<Point<typename K::Number>>;
 };
 

@@ -1,5 +1,5 @@
-/// FloatingHorizonRun: one execution of the floating horizon: its procedure set, kernel and visitor, the curves, the horizons so
-/// far, and the lines drawn. Run is the equivalent for methods that paint polygons.
+/// FloatingHorizonRun: one execution of the floating horizon: its procedure set, kernel and visitor, the curves, the
+/// horizons so far, and the lines drawn. Run is the equivalent for methods that paint polygons.
 #pragma once
 
 #include <algorithm>

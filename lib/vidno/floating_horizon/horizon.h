@@ -1,7 +1,8 @@
 /// Horizon: raises the upper horizon to a segment, and lowers the lower one.
 ///
 /// Takes   a segment and the columns first <= x <= last; none if last < first.
-/// Gives   over each column the higher of the upper horizon and the segment, and the lower of the lower one and the segment.
+/// Gives   over each column the higher of the upper horizon and the segment, and the lower of the lower one and the
+///         segment.
 #pragma once
 
 #include "floating_horizon_run.h"

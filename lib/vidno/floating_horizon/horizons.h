@@ -9,11 +9,12 @@
 
 namespace vidno {
 
-/// How a point lies in relation to the horizons: it is visible unless hidden. The values are the text's; `both` is where the
-/// two meet.
+/// How a point lies in relation to the horizons: it is visible unless hidden. The values are the text's; `both` is
+/// where the two meet.
 enum class VisibilityFlag : signed char { below = -1, hidden = 0, above = 1, both = 2 };
 
-/// The side on which a point counts as visible, or hidden. A point on both takes the side of its neighbour if that is visible.
+/// The side on which a point counts as visible, or hidden. A point on both takes the side of its neighbour if that is
+/// visible.
 constexpr VisibilityFlag side_beside(VisibilityFlag flag, VisibilityFlag neighbour) {
     using enum VisibilityFlag;
     if (flag != both) return flag;

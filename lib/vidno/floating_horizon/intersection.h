@@ -1,8 +1,9 @@
 /// Intersection: where a segment meets a horizon. It goes from column to column until the segment is on the other side.
 ///
-/// Source  D. F. Rogers, Procedural Elements for Computer Graphics, 1985, the routine of that name. There the intersection is
-///         the nearest column, here it is where the lines cross.
-/// Takes   a segment, the columns between which it meets the horizon, the horizon, and whether it is the upper or the lower one.
+/// Source  D. F. Rogers, Procedural Elements for Computer Graphics, 1985, the routine of that name. There the
+///         intersection is the nearest column, here it is where the lines cross.
+/// Takes   a segment, the columns between which it meets the horizon, the horizon, and whether it is the upper or the
+///         lower one.
 /// Gives   the first place where the segment comes to be beyond the horizon, or ceases to: on a column if it is on the
 ///         horizon there, or if the horizon begins or ends there; the last column if there is no such place.
 #pragma once

@@ -1,5 +1,5 @@
-/// SideEdge: raises the horizons along the edge from the end of one curve to that of the next, so that the side of the surface
-/// hides what is behind it. As in the text, the edge is not drawn. Its hidden parts raise nothing.
+/// SideEdge: raises the horizons along the edge from the end of one curve to that of the next, so that the side of the
+/// surface hides what is behind it. As in the text, the edge is not drawn. Its hidden parts raise nothing.
 ///
 /// Takes   the point that the edge on this side has reached (none before the first curve), and the curve's end.
 /// Gives   the horizons raised along the edge, and the edge at the curve's end.

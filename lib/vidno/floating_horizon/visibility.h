@@ -1,8 +1,8 @@
 /// Visibility: where does a point of a curve lie in relation to the horizons?
 ///
 /// Takes   a segment, one of its columns, and the horizons.
-/// Gives   above: on the upper horizon or above it; below: on the lower one or below it; both, also where there is no horizon
-///         yet; else hidden.
+/// Gives   above: on the upper horizon or above it; below: on the lower one or below it; both, also where there is no
+///         horizon yet; else hidden.
 #pragma once
 
 #include "floating_horizon_run.h"

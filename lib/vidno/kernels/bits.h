@@ -1,9 +1,10 @@
-/// Bits: every result rounded to P bits; decisions follow from the rounded values. Lowering P shows how accuracy is lost.
+/// Bits: every result rounded to P bits; decisions follow from the rounded values. Lowering P shows how accuracy is
+/// lost.
 ///
 /// Rounding is to nearest, ties to even. The exponent is a double's, so that only the precision decreases.
 ///
-/// Source  For + - * / and P <= 25, rounding a double to P bits equals rounding the exact result once: S. A. Figueroa, When is
-///         double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
+/// Source  For + - * / and P <= 25, rounding a double to P bits equals rounding the exact result once: S. A. Figueroa,
+///         When is double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
 #pragma once
 
 #include <bit>
@@ -36,7 +37,8 @@ inline double rounded_at(std::uint64_t lowest, double value) {
 /// The nearest double with this number of significant bits; ties go to even.
 inline double rounded_to(int bits, double value) { return rounded_at(lowest_kept_bit(bits), value); }
 
-/// A double with a precision in bits. It carries the precision, since there is no global to hold it; a constant has none.
+/// A double with a precision in bits. It carries the precision, since there is no global to hold it; a constant has
+/// none.
 class Rounded {
 public:
     Rounded(double constant = 0) : value_(constant) {}

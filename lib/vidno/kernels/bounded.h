@@ -1,7 +1,8 @@
 /// Given and Bounded: doubles with a bound on their error.
 ///
-/// A coordinate of the scene is Given: exact. A value computed from coordinates is Bounded: a double, and a bound on its
-/// distance from the exact result of the same formula. Each operation increases the bound by the rounding error it may add.
+/// A coordinate of the scene is Given: exact. A value computed from coordinates is Bounded: a double, and a bound on
+/// its distance from the exact result of the same formula. Each operation increases the bound by the rounding error it
+/// may add.
 #pragma once
 
 #include <cmath>
@@ -18,8 +19,8 @@ struct Given {
     auto operator<=>(const Given&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 takes it for a 0
 };
 
-/// |value - exact| <= error. An error of 0 means that the value is exact. An infinite error, or a value that is not finite,
-/// means that nothing is known.
+/// |value - exact| <= error. An error of 0 means that the value is exact. An infinite error, or a value that is not
+/// finite, means that nothing is known.
 struct Bounded {
     double value = 0, error = 0;
 

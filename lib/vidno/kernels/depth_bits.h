@@ -1,7 +1,7 @@
 /// DepthBits: arithmetic in doubles, and a Z-buffer of B bits.
 ///
-/// There are 2^B evenly spaced depths from -1 to 1, both ends included. A depth is rounded to the nearest of them before it
-/// is stored, and compared in that form: depths that round alike are equally near.
+/// There are 2^B evenly spaced depths from -1 to 1, both ends included. A depth is rounded to the nearest of them
+/// before it is stored, and compared in that form: depths that round alike are equally near.
 ///
 /// Source  Fixed-point depth as in the OpenGL 4.6 specification, 2.3.5: floor(d (2^B - 1) + 1/2) for d from 0 to 1.
 #pragma once

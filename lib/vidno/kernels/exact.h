@@ -111,8 +111,8 @@ struct EnclosedSign {
     bool by_interval;  // otherwise by rational numbers
 };
 
-/// The sign of a formula over numbers that each have an `interval()` and an exact value, `exactly()`. If the formula's interval
-/// has a sign, no rational number is computed.
+/// The sign of a formula over numbers that each have an `interval()` and an exact value, `exactly()`. If the formula's
+/// interval has a sign, no rational number is computed.
 EnclosedSign enclosed_sign(const auto& formula, const auto&... values) {
     const auto by_interval = [&] {
         const CGAL::Protect_FPU_rounding<true> upward;
@@ -128,8 +128,8 @@ EnclosedSign enclosed_sign(NumberDifference, const auto& v, const auto& w) {
     return {Sign{int(CGAL::compare(v.exactly(), w.exactly()))}, false};
 }
 
-/// A rational number and an interval that holds it. Copies share the rational, since the vertices of regions are copied more often
-/// than computed.
+/// A rational number and an interval that holds it. Copies share the rational, since the vertices of regions are copied
+/// more often than computed.
 class Enclosed {
 public:
     Enclosed(double given = 0) : value_(std::make_shared<const Rational>(given)), interval_(given) {}
@@ -161,8 +161,8 @@ private:
     Interval interval_;
 };
 
-/// The operations that OnRegions needs. Each number is computed exactly. The sign of a formula is that of its interval where this
-/// has one, since Weiler and Atherton's algorithm needs many signs of few points.
+/// The operations that OnRegions needs. Each number is computed exactly. The sign of a formula is that of its interval
+/// where this has one, since Weiler and Atherton's algorithm needs many signs of few points.
 struct EnclosedNumbers : NumberKernel<Enclosed> {
     Sign sign_of(const auto& formula, const auto&... values) const { return enclosed_sign(formula, values...).sign; }
 };

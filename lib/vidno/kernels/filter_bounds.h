@@ -58,9 +58,10 @@ struct FilterBounds {
         return known ? Interval{v.low(), v.high()} : Interval{-infinity, infinity};
     }
 
-    /// The first pixel whose centre is after the value, if the value is certainly at no centre; the last one before it is the pixel to the
-    /// left. Values off the area move to half a pixel from its outer centres. In the area, distances are less than 2^15, so
-    /// 2^-30 is far more than all roundoff here. A value that is not finite has no finite error.
+    /// The first pixel whose centre is after the value, if the value is certainly at no centre; the last one before it
+    /// is the pixel to the left. Values off the area move to half a pixel from its outer centres. In the area,
+    /// distances are less than 2^15, so 2^-30 is far more than all roundoff here. A value that is not finite has no
+    /// finite error.
     static std::optional<int> first_after(const Bounded& v, int low, int end) {
         const double distance = std::min(std::max(0.5, v.value - (low - 0.5)), end - low + 0.5);
         const int whole = int(distance);

@@ -1,5 +1,5 @@
-/// FilterExactly: what exact arithmetic decides for the kernel `filtered`, since the bounds of the doubles leave it open. It takes the
-/// given numbers that the doubles approximate.
+/// FilterExactly: what exact arithmetic decides for the kernel `filtered`, since the bounds of the doubles leave it
+/// open. It takes the given numbers that the doubles approximate.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

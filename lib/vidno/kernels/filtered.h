@@ -1,11 +1,12 @@
 /// Filtered: decisions that are always right, at nearly the cost of doubles.
 ///
-/// The doubles decide where the bound on their error allows it. Elsewhere exact arithmetic decides, from what the doubles stand
-/// for: a polygon's plane at a point, its edge at a row or at a side of a window. No rounded value decides, so errors do not
-/// accumulate. A trace shows the doubles.
+/// The doubles decide where the bound on their error allows it. Elsewhere exact arithmetic decides, from what the
+/// doubles stand for: a polygon's plane at a point, its edge at a row or at a side of a window. No rounded value
+/// decides, so errors do not accumulate. A trace shows the doubles.
 ///
-/// Source  On the bound of the cross product: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust
-///         geometric predicates, Discrete & Computational Geometry 18, 1997. Where it does not decide: CGAL's predicate.
+/// Source  On the bound of the cross product: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast
+///         robust geometric predicates, Discrete & Computational Geometry 18, 1997. Where it does not decide: CGAL's
+///         predicate.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +37,9 @@ public:
 
     void see(const Scene& scene) {
         extent_ = farthest_out(scene);
-        // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2, is 12 of these units. The others pay for
-        // the rounding of the bound itself; the last subtraction rounds, too, but keeps the sign. tests/bounds has the proof.
+        // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2, is 12 of these units.
+        // The others pay for the rounding of the bound itself; the last subtraction rounds, too, but keeps the sign.
+        // tests/bounds has the proof.
         cross_error_ = 16 * extent_ * extent_ * Bounded::unit;
         Depths::expect_planes(scene.polygons.size());
     }
@@ -112,7 +114,8 @@ public:
         return outline;
     }
 
-    /// Two neighbours on an earlier side have its x or y, which one of them got when it was cut there. Otherwise both are on p's edge.
+    /// Two neighbours on an earlier side have its x or y, which one of them got when it was cut there. Otherwise both
+    /// are on p's edge.
     ClippedVertex meet(const ClippedVertex& p, const ClippedVertex& q, const SideCross& cp, const SideCross& cq) const {
         const double t = cp.value / (cp.value - cq.value);
         ClippedVertex found{cp.at, cp.at, p.z + (q.z - p.z) * t, p.from, p.to};
@@ -223,7 +226,8 @@ public:
     }
 
 private:
-    /// The cross product left - right, which the scene's bound does not decide. Apart, so that the compiler inlines `cross`.
+    /// The cross product left - right, which the scene's bound does not decide. Apart, so that the compiler inlines
+    /// `cross`.
     [[gnu::noinline]] FilteredCross cross_near_zero(double left, double right, const auto& pivot, const auto& a,
                                                     const auto& b) const {
         const double value = left - right;

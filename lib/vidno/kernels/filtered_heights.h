@@ -1,6 +1,8 @@
-/// The kernel `filtered` for the floating horizon: a height is a double with a bound, and the segment that it belongs to.
+/// The kernel `filtered` for the floating horizon: a height is a double with a bound, and the segment that it belongs
+/// to.
 ///
-/// The doubles decide which of two heights is greater where the bounds allow it, otherwise the segments in exact arithmetic.
+/// The doubles decide which of two heights is greater where the bounds allow it, otherwise the segments in exact
+/// arithmetic.
 #pragma once
 
 #include <cassert>
@@ -50,8 +52,8 @@ struct OnColumns<FilteredBy<Tally>> : FilteredBy<Tally> {
         return exact_.compare(a.exactly(), b.exactly());
     }
 
-    /// For display only: comparisons use the segments. It is computed exactly and rounded where the bounds do not place it between
-    /// the columns, or leave a visible uncertainty.
+    /// For display only: comparisons use the segments. It is computed exactly and rounded where the bounds do not place
+    /// it between the columns, or leave a visible uncertainty.
     Point<Bounded> crossing(const Segment& segment, int column, const Height& h1, const Height& h2) const {
         const auto near = bounded_.crossing(segment, column, h1.y, h2.y);
         const bool between = near.x.low() > column && near.x.high() < column + 1;

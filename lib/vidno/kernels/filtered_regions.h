@@ -1,4 +1,5 @@
-/// The kernel `filtered` for Weiler and Atherton's algorithm: a constructed number is an interval and keeps its operands.
+/// The kernel `filtered` for Weiler and Atherton's algorithm: a constructed number is an interval and keeps its
+/// operands.
 ///
 /// The interval decides a sign where it can, otherwise the number is computed exactly. No rounded value decides.
 #pragma once

@@ -66,8 +66,8 @@ struct SideCross : FilteredCross {
     double at;  // the x of a vertical side, the y of a level one
 };
 
-/// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
-/// At least one of x and y is exact then, and the edge gives the other.
+/// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's
+/// corner. At least one of x and y is exact then, and the edge gives the other.
 struct ClippedVertex {
     Bounded x, y;
     double z;

@@ -1,10 +1,10 @@
-/// Grid: decisions that are always right for a scene whose coordinates lie on a grid, without exact arithmetic, as in graphics
-/// hardware.
+/// Grid: decisions that are always right for a scene whose coordinates lie on a grid, without exact arithmetic, as in
+/// graphics hardware.
 ///
-/// x and y are whole multiples of 2^-K pixel, z of 2^-24 (snap.h makes such a scene). So the coordinates are whole numbers, small
-/// enough that a double holds their cross products exactly, and 128 bits the comparison of two depths. Doubles decide the
-/// comparisons that need a division (an edge on a row, a depth) where the bound on their error allows it, otherwise the whole
-/// numbers decide.
+/// x and y are whole multiples of 2^-K pixel, z of 2^-24 (snap.h makes such a scene). So the coordinates are whole
+/// numbers, small enough that a double holds their cross products exactly, and 128 bits the comparison of two depths.
+/// Doubles decide the comparisons that need a division (an edge on a row, a depth) where the bound on their error
+/// allows it, otherwise the whole numbers decide.
 #pragma once
 
 #include <algorithm>
@@ -83,7 +83,8 @@ public:
         return cross;
     }
 
-    /// Two neighbours with the same x or y are on an earlier side, or on a vertical or level edge. Otherwise both are on p's edge.
+    /// Two neighbours with the same x or y are on an earlier side, or on a vertical or level edge. Otherwise both are
+    /// on p's edge.
     GridVertex meet(const GridVertex& p, const GridVertex& q, const SideCross& cp, const SideCross& cq) const {
         const double z = p.z + (q.z - p.z) * (cp.value / (cp.value - cq.value));
         const auto& from = *p.from;
@@ -187,7 +188,8 @@ private:
         return row;
     }
 
-    /// How many centres of low <= i < end lie left of x, if its error leaves no doubt, so that none is at x; otherwise -1.
+    /// How many centres of low <= i < end lie left of x, if its error leaves no doubt, so that none is at x; otherwise
+    /// -1.
     int surely_left(double x, int low, int end) const {
         const double pixels = x - (low + 0.5);
         if (pixels < -column_error_) return 0;

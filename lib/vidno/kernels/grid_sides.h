@@ -1,13 +1,14 @@
-/// GridSides: on which side of a line the vertices of a clipped polygon lie, for the kernel `grid`. The decisions are right, since all
-/// numbers behind them are on the grid.
+/// GridSides: on which side of a line the vertices of a clipped polygon lie, for the kernel `grid`. The decisions are
+/// right, since all numbers behind them are on the grid.
 #pragma once
 
 #include "number_kernel.h"
 
 namespace vidno {
 
-/// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
-/// At least one of x and y is exact then, and the edge gives the other until the vertex is found to lie on a side.
+/// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's
+/// corner. At least one of x and y is exact then, and the edge gives the other until the vertex is found to lie on a
+/// side.
 struct GridVertex {
     mutable double x, y;
     double z;
@@ -15,8 +16,8 @@ struct GridVertex {
     const Vertex<double>* from;  // the edge that it is on, or that begins there
     const Vertex<double>* to;
 
-    /// Makes the vertex exact, once it is found to lie on a side. Two edges may end there. The segment between their ends is then part of
-    /// the side, and of no edge.
+    /// Makes the vertex exact, once it is found to lie on a side. Two edges may end there. The segment between their
+    /// ends is then part of the side, and of no edge.
     void put_on(bool vertical, double at) const {
         (vertical ? x : y) = at;
         (vertical ? x_is_exact : y_is_exact) = true;
@@ -63,7 +64,8 @@ struct GridSides {
     static const Vertex<double>& from_of(const Vertex<double>& p, const Vertex<double>&) { return p; }
     static const Vertex<double>& to_of(const Vertex<double>&, const Vertex<double>& q) { return q; }
 
-    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not vertical (or not level).
+    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not vertical (or not
+    // level).
     static bool on_upright_line(const GridVertex& p, const GridVertex& q) {
         return (q.x_is_exact && sign_right_of(p, q.x) == Sign::zero) ||
                (p.x_is_exact && sign_right_of(q, p.x) == Sign::zero);

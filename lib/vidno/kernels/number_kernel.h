@@ -175,8 +175,8 @@ struct NumberKernel : Entry {
     bool same_place(const auto& a, const auto& b, int /*row*/) const { return a.x == b.x; }
     bool left_of(const auto& a, const auto& b, int /*row*/) const { return a.x < b.x || (a.x == b.x && a.dx < b.dx); }
 
-    // Used only by the printed text: division by a number that may be zero, equality of rounded values, floor(v + 1/2), and the
-    // pixel that holds a number.
+    // Used only by the printed text: division by a number that may be zero, equality of rounded values, floor(v + 1/2),
+    // and the pixel that holds a number.
 
     /// Where the numbers have no infinity, b = 0 throws DivisionByZero.
     T divide(const T& a, const T& b) const {

@@ -1,5 +1,5 @@
-/// PixelBlock: eight pixels of a row that are compared at once, as two vectors of four numbers. GCC and clang compile such vectors for
-/// every machine.
+/// PixelBlock: eight pixels of a row that are compared at once, as two vectors of four numbers. GCC and clang compile
+/// such vectors for every machine.
 #pragma once
 
 #include <bit>

@@ -1,7 +1,7 @@
 /// PlaneDepths: depths that refer to their planes, for kernels that are always right.
 ///
-/// A depth is a double and the plane that it belongs to. Doubles decide which of two depths is nearer where the bound on their
-/// error allows it, otherwise the planes decide exactly.
+/// A depth is a double and the plane that it belongs to. Doubles decide which of two depths is nearer where the bound
+/// on their error allows it, otherwise the planes decide exactly.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 
 namespace vidno {
 
-/// `Plane` is an ApproximatePlane with an exact comparison, `plane.exactly_nearer(than, x, y)`. `Tally` receives, for each
-/// comparison, what decided it; it is passed by value and may hold a pointer.
+/// `Plane` is an ApproximatePlane with an exact comparison, `plane.exactly_nearer(than, x, y)`. `Tally` receives, for
+/// each comparison, what decided it; it is passed by value and may hold a pointer.
 template <class Plane, class Tally>
 class PlaneDepths {
 public:
@@ -98,9 +98,9 @@ public:
         return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
     }
 
-    /// Stores the depth of the plane at the pixels first <= x < end of a row where it is nearer. Since it is not a sum of steps, a block
-    /// of pixels is compared at once, as the function above compares one. A block with a pixel that its cell does not decide is done
-    /// pixel by pixel; a depth that is not known is close to all others.
+    /// Stores the depth of the plane at the pixels first <= x < end of a row where it is nearer. Since it is not a sum
+    /// of steps, a block of pixels is compared at once, as the function above compares one. A block with a pixel that
+    /// its cell does not decide is done pixel by pixel; a depth that is not known is close to all others.
     [[gnu::noinline]] void store_nearer(const Plane& plane, const auto& row, int first,
                                         int end) const requires std::is_same_v<Tally, NoTally> {
         const auto slope = float(plane.x_slope);
@@ -196,9 +196,9 @@ private:
         return exactly_nearer(plane, than, Point<double>{at.x + 0.5, at.y + 0.5});
     }
 
-    /// If two depths of planes that fit cells differ by more than this as stored in cells, the exact depths differ the same way.
-    /// As a float, stepped by at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th
-    /// of this.
+    /// If two depths of planes that fit cells differ by more than this as stored in cells, the exact depths differ the
+    /// same way. As a float, stepped by at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its
+    /// plane's error, a 16th of this.
     static constexpr float cell_error = 0x1p-18F;
     /// For planes that do not fit cells: NaN is neither greater nor less.
     static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();

@@ -1,7 +1,7 @@
 /// BoundaryOutside: points on the outline count as outside.
 ///
-/// Believed   that a point with a cross product of 0 is neither on the left nor on the right, so not inside; that a line
-///            shows what lies strictly between its ends.
+/// Believed   that a point with a cross product of 0 is neither on the left nor on the right, so not inside; that a
+///            line shows what lies strictly between its ends.
 /// Goes wrong a point on the edge that two polygons share belongs to neither.
 /// Seen       where a shared edge passes through the centre of a pixel: the background shows. In Warnock's algorithm
 ///            FillPolygon draws the outline of a polygon alone in its window, and is right.

@@ -1,8 +1,8 @@
 /// ClipOrderReversed: the clip traverses the corners of the window in the opposite direction.
 ///
 /// Believed   that any order will do, or that y grows upward, which reverses the direction.
-/// Goes wrong a positive cross product now means inside, so each side of the window keeps the part of the polygon beyond it. No
-///            point lies beyond all four sides.
+/// Goes wrong a positive cross product now means inside, so each side of the window keeps the part of the polygon
+///            beyond it. No point lies beyond all four sides.
 /// Seen       where a single polygon crosses a window's side: the window shows the background.
 #pragma once
 

@@ -1,7 +1,7 @@
 /// DepthSignReversed: the smaller z is nearer.
 ///
-/// Believed   that z := (a x + b y + d) / c, with the minus lost when a x + b y + c z + d = 0 was solved for z; or that z
-///            is the distance from the viewer.
+/// Believed   that z := (a x + b y + d) / c, with the minus lost when a x + b y + c z + d = 0 was solved for z; or that
+///            z is the distance from the viewer.
 /// Goes wrong every depth has the opposite sign, and the farthest polygon is taken for the nearest.
 /// Seen       where polygons overlap.
 #pragma once

@@ -2,8 +2,8 @@
 ///
 /// Believed   that w / 2 twice is w, and that an area of any size may be halved.
 /// Goes wrong 3 / 2 is 1: the last pixel of an odd side is in no part. As in the text, a side of 1 is not halved, so a
-///            window of 1 x 3 has two parts of 1 x 1. A program that halves it too arrives at windows of width 0, and never
-///            ends if it stops only at a side of exactly 1.
+///            window of 1 x 3 has two parts of 1 x 1. A program that halves it too arrives at windows of width 0, and
+///            never ends if it stops only at a side of exactly 1.
 /// Seen       in areas that are not a power-of-two square: columns and rows keep the background.
 #pragma once
 

@@ -1,10 +1,10 @@
 /// OctantsNotSplit: an edge that subtends a straight angle is not split.
 ///
 /// Believed   that the numbers of its ends' octants tell the angle of every edge.
-/// Goes wrong from octant k to k + 4 both ways around the window are equally long: the difference is the same, whichever way
-///            the edge takes.
-/// Seen       where a polygon lies around a corner of a window, outside it: it is taken to surround the window, and may show
-///            there; or the other way round.
+/// Goes wrong from octant k to k + 4 both ways around the window are equally long: the difference is the same,
+///            whichever way the edge takes.
+/// Seen       where a polygon lies around a corner of a window, outside it: it is taken to surround the window, and may
+///            show there; or the other way round.
 #pragma once
 
 #include "../family/family.h"

@@ -1,6 +1,7 @@
 /// ZBufferDefects: the defects of the printed Z-buffer, one at a time, each as a change of the corrected text.
 ///
-/// In the printed text (z_buffer.h, show_line.h) y is a number. Here a row is a whole number, so that a run has exactly one defect.
+/// In the printed text (z_buffer.h, show_line.h) y is a number. Here a row is a whole number, so that a run has exactly
+/// one defect.
 #pragma once
 
 #include <algorithm>

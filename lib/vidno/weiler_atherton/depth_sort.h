@@ -1,8 +1,8 @@
 /// DepthSort: sorts the pieces by their greatest depth, the nearest first.
 ///
 /// Takes   pieces in the order of the scene.
-/// Gives   them sorted; pieces of equal greatest depth keep their order. The order is a guess at what is in front: where it is
-///         wrong, the algorithm detects it and clips again.
+/// Gives   them sorted; pieces of equal greatest depth keep their order. The order is a guess at what is in front:
+///         where it is wrong, the algorithm detects it and clips again.
 #pragma once
 
 #include <cstddef>

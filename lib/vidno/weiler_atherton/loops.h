@@ -9,9 +9,10 @@
 
 namespace vidno {
 
-/// Each piece has its region on its positive side. Where several pieces begin at one vertex, a loop takes the sharpest turn to that
-/// side. So it follows one corner of the region, and parts that only touch there get separate loops. Two pieces of one edge are
-/// joined where no other begins. Rounding may lose a piece. A loop that then does not close is omitted, and `lost()` is called.
+/// Each piece has its region on its positive side. Where several pieces begin at one vertex, a loop takes the sharpest
+/// turn to that side. So it follows one corner of the region, and parts that only touch there get separate loops. Two
+/// pieces of one edge are joined where no other begins. Rounding may lose a piece. A loop that then does not close is
+/// omitted, and `lost()` is called.
 template <WeilerAthertonKernel K, class Number = typename K::Number>
 Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& vertices,
                       const std::vector<EdgePiece<Number>>& pieces, auto&& lost) {

@@ -1,7 +1,8 @@
-/// Overlay: two regions laid over each other, with their edges cut into pieces wherever they meet, along shared edges too.
+/// Overlay: two regions laid over each other, with their edges cut into pieces wherever they meet, along shared edges
+/// too.
 ///
-/// A piece then lies inside the other region, outside it, or on its outline. RegionClip depends on where the pieces lie, not on how
-/// lines cross, so a touch, a shared edge and a vertex on a vertex need no special cases.
+/// A piece then lies inside the other region, outside it, or on its outline. RegionClip depends on where the pieces
+/// lie, not on how lines cross, so a touch, a shared edge and a vertex on a vertex need no special cases.
 #pragma once
 
 #include <algorithm>

@@ -2,11 +2,12 @@
 ///
 /// Takes   a run with its visible regions.
 /// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
-/// Time    one comparison for each row and edge of a region; for each of its centres, one with each earlier polygon that holds it.
+/// Time    one comparison for each row and edge of a region; for each of its centres, one with each earlier polygon
+///         that holds it.
 ///
-/// A region is closed, so a centre on an outline may belong to several regions. One of them has the nearest depth there, since that
-/// depth is the limit of what is visible next to it. A polygon without a region there may be equally near if it touches the polygon
-/// that hides it, in a point or along an edge. It shows if it comes first in the scene.
+/// A region is closed, so a centre on an outline may belong to several regions. One of them has the nearest depth
+/// there, since that depth is the limit of what is visible next to it. A polygon without a region there may be equally
+/// near if it touches the polygon that hides it, in a point or along an edge. It shows if it comes first in the scene.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +52,9 @@ private:
         int first, end;
     };
 
-    /// The centres of a row that a closed region holds: those that it holds just above the row, or just below it. So vertices on the
-    /// row count as below it in one pass, and as above it in the other. In each pass, pairs of edges that cross the row bound spans.
+    /// The centres of a row that a closed region holds: those that it holds just above the row, or just below it. So
+    /// vertices on the row count as below it in one pass, and as above it in the other. In each pass, pairs of edges
+    /// that cross the row bound spans.
     template <class Run>
     static std::vector<ColumnRange> columns_on_row(Run& run, const Region<typename Run::Number>& region, int row) {
         using enum Line;

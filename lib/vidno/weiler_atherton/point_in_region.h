@@ -5,7 +5,8 @@
 
 namespace vidno {
 
-/// Does a region hold a point that is not on its outline? If so, a ray to the right crosses the outline an odd number of times.
+/// Does a region hold a point that is not on its outline? If so, a ray to the right crosses the outline an odd number
+/// of times.
 template <WeilerAthertonKernel K>
 bool holds(const K& kernel, const Region<typename K::Number>& region, const Point<typename K::Number>& point) {
     bool inside = false;

@@ -1,7 +1,8 @@
 /// Region: a part of the plane, bounded by loops of straight edges. It need not be convex, and may have holes.
 ///
-/// Every edge has the region on its positive side: for v inside, (q - p) x (v - p) > 0 near the edge from p to q. So outlines and
-/// holes have opposite orientations. Loops of one region may touch each other at vertices, and nowhere else.
+/// Every edge has the region on its positive side: for v inside, (q - p) x (v - p) > 0 near the edge from p to q. So
+/// outlines and holes have opposite orientations. Loops of one region may touch each other at vertices, and nowhere
+/// else.
 #pragma once
 
 #include <array>
@@ -65,7 +66,8 @@ Box<Number> box_around(const Region<Number>& region) {
     return box;
 }
 
-/// Where a piece of an edge lies in relation to the other region; on its outline, whether both regions are on the same side of it.
+/// Where a piece of an edge lies in relation to the other region; on its outline, whether both regions are on the same
+/// side of it.
 enum class Lies : unsigned char { inside, outside, same_side, other_side };
 inline constexpr std::array<std::string_view, 4> lies_names{"inside", "outside", "same_side", "other_side"};
 

@@ -1,8 +1,9 @@
 /// RegionClip: the part of one region inside another, and the part outside.
 ///
-/// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977. The paper walks along the
-///         subject's outline, turns into the clip polygon's at a leaving vertex, and turns back at an entering vertex. Here each
-///         piece of an edge is classified separately, so that touches and shared edges need no rules.
+/// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977. The paper walks
+///         along the subject's outline, turns into the clip polygon's at a leaving vertex, and turns back at an
+///         entering vertex. Here each piece of an edge is classified separately, so that touches and shared edges need
+///         no rules.
 /// Takes   the subject and the clip region; either may have holes.
 /// Gives   both parts: they share only outlines, and together are the subject.
 /// Time    a few signs for each pair of edges.

@@ -1,9 +1,11 @@
 /// RemoveBehind: the pieces that the clip polygon does not hide.
 ///
-/// Takes   the clip polygon, and pieces that lie inside it and have the same depth order with it everywhere (SplitPiercing).
-/// Gives   the pieces that are nearer than it, in their order. At equal depths the first polygon of the scene is nearer.
-/// Time    one comparison for each piece. The difference of two planes' depths at the mean of the vertices is the mean of the
-///         differences at the vertices. These have the same sign, so it is 0 only if the planes are the same.
+/// Takes   the clip polygon, and pieces that lie inside it and have the same depth order with it everywhere
+///         (SplitPiercing).
+/// Gives   the pieces that are nearer than it, in their order. At equal depths the first polygon of the scene is
+///         nearer.
+/// Time    one comparison for each piece. The difference of two planes' depths at the mean of the vertices is the mean
+///         of the differences at the vertices. These have the same sign, so it is 0 only if the planes are the same.
 #pragma once
 
 #include "weiler_atherton_run.h"

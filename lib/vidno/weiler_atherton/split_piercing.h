@@ -2,7 +2,8 @@
 ///
 /// Takes   the polygons of a scene, convex.
 /// Gives   convex pieces: where two of them overlap, one is everywhere at least as near as the other.
-/// Time    one clip for each pair of polygons whose boxes overlap and that the line in which their planes meet passes through.
+/// Time    one clip for each pair of polygons whose boxes overlap and that the line in which their planes meet passes
+///         through.
 #pragma once
 
 #include <algorithm>

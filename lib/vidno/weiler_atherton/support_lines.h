@@ -1,7 +1,8 @@
-/// SupportLines: the lines whose intersections are the vertices of a run. Vertices point at them, so they stay where they are.
+/// SupportLines: the lines whose intersections are the vertices of a run. Vertices point at them, so they stay where
+/// they are.
 ///
-/// There is one line for two points in either order, and one for the planes of two polygons. So neighbours share the same line under
-/// any arithmetic.
+/// There is one line for two points in either order, and one for the planes of two polygons. So neighbours share the
+/// same line under any arithmetic.
 #pragma once
 
 #include <cassert>
@@ -29,8 +30,8 @@ public:
         return &known->second;
     }
 
-    /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
-    /// the one that comes later in the scene is the nearer.
+    /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its
+    /// positive side the one that comes later in the scene is the nearer.
     const Line* of_planes(const auto& later, const auto& earlier) {
         assert(later.index > earlier.index);
         const auto [known, is_new] = of_planes_.try_emplace({later.index, earlier.index});

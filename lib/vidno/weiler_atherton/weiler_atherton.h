@@ -1,15 +1,15 @@
-/// WeilerAtherton: the visible regions, as polygons. The outline of the nearest polygon separates what lies inside from what lies
-/// outside, and each part is processed separately.
+/// WeilerAtherton: the visible regions, as polygons. The outline of the nearest polygon separates what lies inside from
+/// what lies outside, and each part is processed separately.
 ///
-/// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977; the course's text, whose scan
-///         contains the depth sort.
+/// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977; the course's text,
+///         whose scan contains the depth sort.
 /// Takes   a run with its polygons.
-/// Gives   the run's visible regions, then its picture. The regions share only outlines. Each lies within its polygon, which is the
-///         nearest there; of coplanar polygons, the first in the scene.
+/// Gives   the run's visible regions, then its picture. The regions share only outlines. Each lies within its polygon,
+///         which is the nearest there; of coplanar polygons, the first in the scene.
 /// Time    one clip for each region and each piece that lies over it.
 ///
-/// The paper clips by a copy of the first polygon as it is in the scene. We clip by the piece of it that is in the list. A list covers
-/// one part of the screen, and there the two are the same.
+/// The paper clips by a copy of the first polygon as it is in the scene. We clip by the piece of it that is in the
+/// list. A list covers one part of the screen, and there the two are the same.
 #pragma once
 
 #include "weiler_atherton_run.h"

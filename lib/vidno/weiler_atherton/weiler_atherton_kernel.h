@@ -1,8 +1,9 @@
-/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, their intersections, and depths there.
+/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, their intersections, and depths
+/// there.
 ///
 /// OnRegions<K> adapts a kernel K and computes each formula in K's own numbers; the one for `filtered` is in
-/// kernels/filtered_regions.h. A vertex is always constructed from two lines of the scene, never from constructed vertices. So its
-/// coordinates do not grow longer in exact numbers, and do not drift in rounded ones.
+/// kernels/filtered_regions.h. A vertex is always constructed from two lines of the scene, never from constructed
+/// vertices. So its coordinates do not grow longer in exact numbers, and do not drift in rounded ones.
 #pragma once
 
 #include <concepts>
@@ -32,7 +33,8 @@ concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Numbe
     { kernel.place(0.0, 0.0) } -> std::same_as<Point<typename K::Number>>;
 
     { kernel.line_through(point, point) } -> std::same_as<SupportLine<typename K::Number>>;
-    // The line where two planes that are not parallel meet; the first is nearer on its positive side. Its point is near the scene.
+    // The line where two planes that are not parallel meet; the first is nearer on its positive side. Its point is near
+    // the scene.
     { kernel.parallel(plane, plane) } -> std::same_as<bool>;
     { kernel.line_of(plane, plane, point) } -> std::same_as<SupportLine<typename K::Number>>;
 

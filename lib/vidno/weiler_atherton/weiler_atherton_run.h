@@ -1,6 +1,6 @@
-/// WeilerAthertonRun: one execution of Weiler and Atherton's algorithm: its procedure set, kernel and visitor, the polygons, the
-/// lines whose intersections are the vertices, the visible regions so far, and the picture. Run is the equivalent for methods that
-/// paint.
+/// WeilerAthertonRun: one execution of Weiler and Atherton's algorithm: its procedure set, kernel and visitor, the
+/// polygons, the lines whose intersections are the vertices, the visible regions so far, and the picture. Run is the
+/// equivalent for methods that paint.
 #pragma once
 
 #include <algorithm>
@@ -148,8 +148,9 @@ struct WeilerAthertonRun {
         return nearer;
     }
 
-    /// Throws a fault if there are more lists than exact arithmetic allows. Lists nest at most as deep as there are facets, those of one
-    /// depth share no area, and the lines divide the area into at most `most_parts` parts. Only rounding can lead to more lists.
+    /// Throws a fault if there are more lists than exact arithmetic allows. Lists nest at most as deep as there are
+    /// facets, those of one depth share no area, and the lines divide the area into at most `most_parts` parts. Only
+    /// rounding can lead to more lists.
     void count_list(Line at) {
         if (++lists_ > lines.most_parts() * double(facets.size())) {
             throw Fault{at, "more lists than the lines can divide the area into"};

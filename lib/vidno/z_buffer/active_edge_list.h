@@ -42,8 +42,8 @@ struct EdgeLists {
     std::vector<ActiveEdge<K>> active_edges;  // AEL
 };
 
-/// The edge with its rows: those of the area with y1 <= centre < y2. The end is included only at the polygon's lowest point, so
-/// that the closed outline is painted; elsewhere the next edge takes over.
+/// The edge with its rows: those of the area with y1 <= centre < y2. The end is included only at the polygon's lowest
+/// point, so that the closed outline is painted; elsewhere the next edge takes over.
 template <class Run>
 PolygonEdge<typename Run::Arithmetic> edge_between(const Run& run, const Polygon<typename Run::Arithmetic>& polygon,
                                                    int index, auto upper, auto lower) {

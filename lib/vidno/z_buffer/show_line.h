@@ -13,8 +13,8 @@
 
 namespace vidno {
 
-/// A run without a visitor whose kernel compares many pixels at a time and keeps the polygon that each shows. The pixels get their
-/// colours after the last line.
+/// A run without a visitor whose kernel compares many pixels at a time and keeps the polygon that each shows. The
+/// pixels get their colours after the last line.
 template <class Run>
 concept ColorsFollow = std::is_same_v<decltype(Run::trace), NoTrace> && requires(Run& run) {
     run.set.shows(run.kernel, run.polygons[0].plane, run.depth_buffer.row(0), 0, 0);

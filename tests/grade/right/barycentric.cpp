@@ -1,4 +1,5 @@
-// The Z-buffer, right: a polygon is a fan of triangles, and a pixel's depth is the barycentric mean of the corners' depths.
+// The Z-buffer, right: a polygon is a fan of triangles, and a pixel's depth is the barycentric mean of the corners'
+// depths.
 #include "z_buffer_style.h"
 
 struct Barycentric : PlainStyle {

@@ -1,4 +1,5 @@
-// The Z-buffer, right: it draws each row from the leftmost to the rightmost edge and steps the depth from pixel to pixel.
+// The Z-buffer, right: it draws each row from the leftmost to the rightmost edge and steps the depth from pixel to
+// pixel.
 #include "z_buffer_style.h"
 
 struct BetweenEdges : PlainStyle {

@@ -1,5 +1,5 @@
-// Another style, in `float`: no horizons are kept. Over each column they are found from all nearer curves and side edges, and each segment
-// is drawn in parts as long as possible.
+// Another style, in `float`: no horizons are kept. Over each column they are found from all nearer curves and side
+// edges, and each segment is drawn in parts as long as possible.
 #include "example.h"
 
 using namespace vidno::student;

@@ -1,5 +1,5 @@
-// Warnock's algorithm, right: it takes polygons from the last to the first, parts and corners in its own order, and clips by the right side
-// first.
+// Warnock's algorithm, right: it takes polygons from the last to the first, parts and corners in its own order, and
+// clips by the right side first.
 #include <deque>
 
 #include "../course.h"
@@ -40,7 +40,8 @@ private:
         trace_.push(tile.x, tile.y, tile.side, tile.side);
     }
 
-    /// The index in the list of the polygon that surrounds the tile and is the nearest at all corners; -1 if there is none.
+    /// The index in the list of the polygon that surrounds the tile and is the nearest at all corners; -1 if there is
+    /// none.
     int cover_of(const Tile& tile) {
         int best = -1;
         double nearest[4] = {farthest, farthest, farthest, farthest};

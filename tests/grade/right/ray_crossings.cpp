@@ -1,5 +1,5 @@
-// Warnock's algorithm, right: a point is inside if a ray to the right crosses the outline an odd number of times. A window with a single
-// polygon is split like any other.
+// Warnock's algorithm, right: a point is inside if a ray to the right crosses the outline an odd number of times. A
+// window with a single polygon is split like any other.
 #include "warnock_style.h"
 
 struct RayCrossings : PlainStyle {

@@ -40,7 +40,8 @@ struct PlainStyle {
         }
         return true;
     }
-    /// The polygon taken to hide all others in a window, given the one that was found to do so there; -1 if there is none.
+    /// The polygon taken to hide all others in a window, given the one that was found to do so there; -1 if there is
+    /// none.
     static int hiding(int found) { return found; }
 };
 

@@ -1,5 +1,5 @@
-// Weiler and Atherton's algorithm with convex pieces: the part of a piece outside another is cut into convex pieces. Polygons that pierce
-// each other are split when one clips the other. The calls of `trace` report the steps to vidno.
+// Weiler and Atherton's algorithm with convex pieces: the part of a piece outside another is cut into convex pieces.
+// Polygons that pierce each other are split when one clips the other. The calls of `trace` report the steps to vidno.
 //
 //     weiler_atherton [windows | polygons | signs]     writes weiler_atherton.jsonl
 #include "../course.h"
@@ -22,7 +22,8 @@ double twice_area(const Convex& outline) {
 /// Areas below this are gaps that rounding leaves between pieces.
 const double least_area = 1e-9;
 
-/// The outline without vertices that are as good as the one before: the line through two such vertices could have any direction.
+/// The outline without vertices that are as good as the one before: the line through two such vertices could have any
+/// direction.
 Convex without_repeats(const Convex& outline) {
     Convex kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {

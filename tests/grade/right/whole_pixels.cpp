@@ -1,4 +1,5 @@
-// Warnock's algorithm, right: the first window is the area itself. If a side is odd, the second part is one pixel longer.
+// Warnock's algorithm, right: the first window is the area itself. If a side is odd, the second part is one pixel
+// longer.
 #include "warnock_style.h"
 
 struct WholePixels : PlainStyle {

@@ -1,4 +1,5 @@
-// The Z-buffer with an active edge list, as a student writes it for the course. The calls of `trace` report the steps to vidno.
+// The Z-buffer with an active edge list, as a student writes it for the course. The calls of `trace` report the steps
+// to vidno.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl
 #include <limits>

@@ -1,4 +1,5 @@
-// Warnock's algorithm, wrong: clipping drops a vertex on the line of a window's side. The program reports only windows and pixels.
+// Warnock's algorithm, wrong: clipping drops a vertex on the line of a window's side. The program reports only windows
+// and pixels.
 #include "../course.h"
 
 struct Square {

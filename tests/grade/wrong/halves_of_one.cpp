@@ -1,4 +1,5 @@
-// Warnock's algorithm, wrong: sides are whole pixels, and all parts have half the side, rounded down. A side of 1 becomes 0.
+// Warnock's algorithm, wrong: sides are whole pixels, and all parts have half the side, rounded down. A side of 1
+// becomes 0.
 #include "../course.h"
 
 struct Rectangle {

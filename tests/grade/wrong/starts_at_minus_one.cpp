@@ -1,4 +1,5 @@
-// The Z-buffer, wrong: the depths start at -1, so polygons at that depth never show. It does not report the start depth.
+// The Z-buffer, wrong: the depths start at -1, so polygons at that depth never show. It does not report the start
+// depth.
 #include "../course.h"
 
 int main() {

@@ -22,8 +22,8 @@ void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost);
 /// Refuses axes that a chart of this kind does not have.
 void expect_axes(const AxisOptions& axes, bool of_surfaces);
 
-/// The gnuplot program that draws a chart on the named axes, with words in the language. Refuses axes that a chart of this kind does not
-/// have.
+/// The gnuplot program that draws a chart on the named axes, with words in the language. Refuses axes that a chart of
+/// this kind does not have.
 std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout = {},
                       Language language = Language::english);
 std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout = {},

@@ -1,5 +1,5 @@
-/// Losses: what a command's output lacks. The command writes its output nevertheless, says each loss on standard error, and its exit status
-/// is 1.
+/// Losses: what a command's output lacks. The command writes its output nevertheless, says each loss on standard error,
+/// and its exit status is 1.
 #pragma once
 
 #include <string>
@@ -18,7 +18,8 @@ public:
     /// The same where the output lacks nothing of it, for this reason: it is said, but is no loss.
     void note(const std::string& file, const std::vector<Loss>& without_effect, const std::string& reason);
 
-    /// After the last event that is needed: what the trace lacks, and what its run lost. Reads on to the end of the file.
+    /// After the last event that is needed: what the trace lacks, and what its run lost. Reads on to the end of the
+    /// file.
     void add(TraceFile& trace);
 
     bool any() const { return any_; }

@@ -15,8 +15,8 @@ AdmittedScene scene_from(const std::string& file);
 /// The same for a scene of polygons or of curves.
 AnyScene any_scene_from(const std::string& file);
 
-/// The same for a run. Options that are not given are taken from a failure; the method must suit the scene. With `says_step`, standard
-/// error says where the failure is seen.
+/// The same for a run. Options that are not given are taken from a failure; the method must suit the scene. With
+/// `says_step`, standard error says where the failure is seen.
 AnyScene any_scene_for(RunOptions& options, bool says_step = false);
 
 /// Refuses a mesh, by the name of its file: `vidno import` makes a scene of it.
@@ -25,7 +25,8 @@ void expect_no_mesh(const std::string& file);
 /// Describes a failure on standard error, without its step. Refuses one that has no scene.
 void say(const Failure& failure, const std::string& file);
 
-/// The scene of a file for a chart. A surface must be given as a function, because the chart samples it in several ways.
+/// The scene of a file for a chart. A surface must be given as a function, because the chart samples it in several
+/// ways.
 std::variant<AdmittedScene, Function> charted_scene_from(const std::string& file);
 
 /// The scene as the kernel runs it: snapped for `grid`, with a note on standard error; otherwise unchanged.

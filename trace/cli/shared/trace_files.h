@@ -20,7 +20,8 @@ inline FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
     return FloatingHorizonState(reader.header());
 }
 
-/// Passes the next event of the trace to `take`; false at the end. Throws Refused, with line and step, for an event that cannot follow.
+/// Passes the next event of the trace to `take`; false at the end. Throws Refused, with line and step, for an event
+/// that cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
     const auto event = trace.next();
     if (!event) return false;
