@@ -402,7 +402,7 @@ std::string line_of(const Kind& kind, const Hashes& hashes, const std::string& k
 
 void write(const std::string& group, const Table& table) {
     std::string text = "# Hashes of runs, written by vidno_recorded " + group +
-                       " --write. CONTRIBUTING.md says under \"Recorded hashes\" when that may be done again.\n";
+                       " --write. docs/building.md says under \"Recorded hashes\" when that may be done again.\n";
     for (const auto& kind : kinds) {
         const Hashes& hashes = table.*kind.hashes;
         for (const auto& key : hashes.keys()) text += line_of(kind, hashes, key) + '\n';
@@ -455,7 +455,7 @@ void say_what_to_do(const std::string& group) {
     std::cout << "\nA run that changed is where a changed scene, method and way meet; `vidno_recorded " << group
               << " --runs`, of a program of before and of this one, says which.\nTo see one:\n  vidno_recorded "
               << group << " --scene NAME >scene.json\n  vidno trace scene.json METHOD WAY --max-events " << most_events
-              << " -o trace.jsonl\nCONTRIBUTING.md says under \"Recorded hashes\" when other hashes may be recorded.\n";
+              << " -o trace.jsonl\ndocs/building.md says under \"Recorded hashes\" when other hashes may be recorded.\n";
 }
 
 /// The table of the runs of every `step`th scene of a group.
