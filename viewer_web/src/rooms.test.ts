@@ -45,7 +45,7 @@ const rooms = [
 ];
 
 /** These folders refer to types of later folders: texts for each name, and the parts of an algorithm. */
-const mayNameTypes = ['language', 'i18n', 'algorithm'];
+const mayNameTypes = ['language', 'i18n', 'i18n/en', 'algorithm'];
 
 const source = fileURLToPath(new URL('.', import.meta.url));
 

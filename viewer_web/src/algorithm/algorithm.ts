@@ -1,7 +1,7 @@
 import type { Counter } from '../compare/counters.js';
 import type { Sum } from '../compare/survey.js';
 import type { Abouts } from '../exactness/mapped-decision.js';
-import type { SolidTexts } from '../language/solid-texts.js';
+import type { SolidTexts } from '../language/texts.js';
 import type { Notes } from '../listing/notes.js';
 import type { Outlined } from '../outline/outlined.js';
 import type { Mark } from '../picture/mark.js';

@@ -65,7 +65,7 @@ export function sayThing(view: View): string {
   if (thing.kind === 'edge') return things.edge(thing.edge);
   if (thing.kind === 'corner') return things.corner(texts[view.language].places[thing.corner]);
   if (thing.kind === 'curve') return texts[view.language].curves.curve(thing.curve);
-  if (thing.kind === 'column') return texts[view.language].curves.history.at(thing.x, 0);
+  if (thing.kind === 'column') return texts[view.language].curves.history.at(thing.x);
   if (thing.kind === 'pixel') return texts[view.language].history.at(...thing.at);
   return things.window(numbersOf(view).windowText(thing.window));
 }

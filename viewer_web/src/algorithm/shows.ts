@@ -2,7 +2,7 @@ import type { SVGTemplateResult, TemplateResult } from 'lit';
 import type { Editing } from '../editor/editor.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { LegendEntry } from '../language/picture-texts.js';
+import type { LegendEntry } from '../language/texts.js';
 import type { HistoryTexts, Texts } from '../language/texts.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';

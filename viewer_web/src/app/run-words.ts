@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import { editionName } from '../language/family-texts.js';
+import { editionName } from '../language/family.js';
 import type { Language } from '../language/language.js';
 import { isMistake, kernelSays } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';

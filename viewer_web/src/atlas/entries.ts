@@ -1,6 +1,6 @@
 import { fileIn } from '../base/base64.js';
 import { textOf } from '../base/file.js';
-import type { FailureKind } from '../language/atlas-texts.js';
+import type { FailureKind } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';

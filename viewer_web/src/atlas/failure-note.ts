@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { AtlasTexts } from '../language/atlas-texts.js';
+import type { AtlasTexts } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import type { Failure } from '../run/failures.js';
 

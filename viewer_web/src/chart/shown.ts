@@ -1,5 +1,5 @@
 import { chartTexts } from '../i18n/chart.js';
-import type { ChartTexts, SubjectTexts } from '../language/chart-texts.js';
+import type { ChartTexts, SubjectTexts } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import type { Choice } from './choice.js';
 import type { Chart, Cost, ErrorMeasure } from './format.js';

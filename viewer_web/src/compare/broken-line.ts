@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { BrokenTexts } from '../language/compare-texts.js';
+import type { BrokenTexts } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import { CellPainter, opaque } from '../picture/paint.js';
 import { isPainted } from '../replay/screen.js';

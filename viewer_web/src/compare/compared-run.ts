@@ -8,7 +8,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Trace } from '../replay/trace.js';
 import type { View } from '../algorithm/view.js';
-import { editionName } from '../language/family-texts.js';
+import { editionName } from '../language/family.js';
 import '../listing/listing-element.js';
 import type { ListingElement } from '../listing/listing-element.js';
 import '../player/picture-panel.js';

@@ -5,7 +5,7 @@ import type { Comparison } from './comparison.js';
 import { counters } from './counters.js';
 import type { Counter, Counts } from './counters.js';
 import type { Steps } from './parting.js';
-import type { CompareTexts } from '../language/compare-texts.js';
+import type { CompareTexts } from '../language/texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { isChecked } from '../exactness/told.js';

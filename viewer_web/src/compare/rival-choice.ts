@@ -4,7 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { quickRuns } from './rival.js';
 import type { With } from './rival.js';
-import type { CompareTexts } from '../language/compare-texts.js';
+import type { CompareTexts } from '../language/texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { idOf } from '../lessons/lessons.js';

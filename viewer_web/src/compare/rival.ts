@@ -1,4 +1,4 @@
-import type { Quick } from '../language/compare-texts.js';
+import type { Quick } from '../language/texts.js';
 import { embeddedFile, embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { openTrace } from '../replay/open.js';

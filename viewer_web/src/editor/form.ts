@@ -2,7 +2,7 @@ import { LitElement } from 'lit';
 import { property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { SceneTexts } from '../language/scene-texts.js';
+import type { SceneTexts } from '../language/texts.js';
 import type { Act, Editing } from './editor.js';
 import type { Sketch } from '../run/sketch.js';
 

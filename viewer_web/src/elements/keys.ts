@@ -1,7 +1,7 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import type { KeyUse } from '../language/key-texts.js';
+import type { KeyUse } from '../language/texts.js';
 import type { PageTexts } from '../language/texts.js';
 import { keyMap, keyName, letters } from '../base/key-map.js';
 import { base, dialogStyle } from './theme.js';

@@ -6,7 +6,7 @@ import type { View } from '../algorithm/view.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { ExactTexts } from '../language/exact-texts.js';
+import type { ExactTexts } from '../language/texts.js';
 import type { Trace } from '../replay/trace.js';
 import type { Answer, N } from '../trace/values.js';
 import { calculation, hasDrifted, inNotation, superscript, withoutOne } from './calculation.js';

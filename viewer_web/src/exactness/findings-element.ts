@@ -6,7 +6,7 @@ import type { View } from '../algorithm/view.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { ExactTexts } from '../language/exact-texts.js';
+import type { ExactTexts } from '../language/texts.js';
 import { isSeen, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';

@@ -2,7 +2,7 @@ import { LitElement, css, html } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
-import type { ExactTexts } from '../language/exact-texts.js';
+import type { ExactTexts } from '../language/texts.js';
 import { moves } from '../picture/pixel.js';
 import { middle, side } from './places.js';
 import type { SignMap } from './sign-map.js';

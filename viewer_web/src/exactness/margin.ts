@@ -1,4 +1,4 @@
-import type { ExactTexts } from '../language/exact-texts.js';
+import type { ExactTexts } from '../language/texts.js';
 import { note, path } from '../picture/mark.js';
 import type { Mark, Spot } from '../picture/mark.js';
 import type { Area } from '../trace/header.js';

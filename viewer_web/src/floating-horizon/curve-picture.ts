@@ -4,7 +4,7 @@ import { guard } from 'lit/directives/guard.js';
 import { LayerSwitches } from '../elements/layer-switches.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { CurveHistoryTexts, CurveTexts } from '../language/curve-texts.js';
+import type { CurveHistoryTexts, CurveTexts } from '../language/texts.js';
 import { curvesStyle } from '../picture/curves.style.js';
 import { drawn } from '../picture/drawn.js';
 import type { Frame, Point } from '../picture/frame.js';
@@ -68,9 +68,9 @@ export class CurvePictureElement extends PlaneElement {
     return texts[this.view.language].curves.history;
   }
 
-  protected override spoken([x, y]: Pixel): string {
+  protected override spoken([x]: Pixel): string {
     const { columns, header } = this.view;
-    const at = this.words.at(x, y);
+    const at = this.words.at(x);
     if (columns === null || header.detail === 'windows') return at;
     const i = x - header.scene.area.x;
     const { upper, lower } = columns.horizons;

@@ -7,7 +7,7 @@ import { flagLooks } from './shapes.js';
 import { emptyFloatingHorizon } from './state.js';
 import type { Flag, Looked } from './state.js';
 import { texts } from '../i18n/index.js';
-import type { CurveTexts } from '../language/curve-texts.js';
+import type { CurveTexts } from '../language/texts.js';
 import { columnThing, curveThing } from '../algorithm/pointed.js';
 import type { N, Sample } from '../trace/values.js';
 import { numbersOf } from '../algorithm/view.js';

@@ -1,7 +1,7 @@
 import { html, nothing, svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
-import type { CurveLegendEntry, LegendEntry } from '../language/picture-texts.js';
+import type { LegendEntry } from '../language/texts.js';
 import type { Pixel } from '../picture/pixel.js';
 import './algorithm.js';
 import './curve-picture.js';
@@ -13,7 +13,7 @@ import './surface-form.js';
 const line = 'M1.5 10L18.5 4';
 
 /** The icon of each entry, in a box of 20 by 14. */
-const icons: Readonly<Record<CurveLegendEntry, readonly [look: string, d: string]>> = {
+const icons = {
   visible: ['visible', line],
   inHand: ['in-hand', line],
   upper: ['upper', 'M1 7h18'],
@@ -22,7 +22,9 @@ const icons: Readonly<Record<CurveLegendEntry, readonly [look: string, d: string
   below: ['flag below', 'M6 4h8l-4 7Z'],
   hidden: ['flag hidden', 'M6.5 7a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z'],
   sideEdge: ['side-edge', line],
-};
+} as const satisfies Partial<Record<LegendEntry, readonly [look: string, d: string]>>;
+
+type CurveLegendEntry = keyof typeof icons;
 
 /** In the order of the legend. */
 const curveEntries = Object.keys(icons) as readonly CurveLegendEntry[];

@@ -5,7 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { firstFormula, withFormula, withoutTolerance } from '../run/surface.js';
 import type { Formula } from '../run/surface.js';
 import { texts } from '../i18n/index.js';
-import type { SurfaceTexts } from '../language/curve-texts.js';
+import type { SurfaceTexts } from '../language/texts.js';
 import { FormElement } from '../editor/form.js';
 import { formStyle } from '../elements/form.style.js';
 import { base } from '../elements/theme.js';

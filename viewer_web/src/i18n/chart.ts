@@ -1,4 +1,4 @@
-import type { ChartTexts } from '../language/chart-texts.js';
+import type { ChartTexts } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import type { ReasonTexts } from '../language/texts.js';
 import type { Refusal } from '../trace/refusal.js';

@@ -1,5 +1,5 @@
 import { filled, valuesIn } from '../base/filled.js';
-import type { SceneTexts } from './scene-texts.js';
+import type { SceneTexts } from './texts.js';
 
 /** The library's reason for a refusal in the language of the page. It may begin with its subject: "rint: no such function". */
 export function inWords(reason: string, { reasons, missing }: SceneTexts): string {

@@ -1,5 +1,5 @@
 import { texts } from '../i18n/index.js';
-import { editionName } from '../language/family-texts.js';
+import { editionName } from '../language/family.js';
 import type { Language } from '../language/language.js';
 import { nameIn } from '../language/scene-name.js';
 import type { PageTexts } from '../language/texts.js';

@@ -7,7 +7,7 @@ import type { View } from '../algorithm/view.js';
 import { ReadOn } from '../elements/read-on.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { countedIn, texts } from '../i18n/index.js';
-import type { OutlineTexts } from '../language/outline-texts.js';
+import type { OutlineTexts } from '../language/texts.js';
 import type { Trace } from '../replay/trace.js';
 import type { Command } from '../time/travel.js';
 import { cases } from '../time/course.js';

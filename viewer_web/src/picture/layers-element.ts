@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing, unsafeCSS } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
-import type { PictureTexts } from '../language/picture-texts.js';
+import type { PictureTexts } from '../language/texts.js';
 import { depthRange, differenceOf, known, layersOf, needsExact } from './layers.js';
 import type { Difference, Exact, Layer } from './layers.js';
 import { stops } from './ramp.js';

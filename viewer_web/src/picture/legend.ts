@@ -5,7 +5,7 @@ import { showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { LegendEntry } from '../language/picture-texts.js';
+import type { LegendEntry } from '../language/texts.js';
 import { curvesStyle } from './curves.style.js';
 import { marksStyle } from './marks.style.js';
 import { regionsStyle } from './regions.style.js';

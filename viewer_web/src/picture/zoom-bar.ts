@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
-import type { PictureTexts } from '../language/picture-texts.js';
+import type { PictureTexts } from '../language/texts.js';
 import type { Frame, Zooming } from './frame.js';
 
 /** Lines in a square of 20. */

@@ -4,7 +4,7 @@ import type { View } from '../algorithm/view.js';
 import { toBase64 } from '../base/base64.js';
 import { element, escaped } from '../base/markup.js';
 import { texts } from '../i18n/index.js';
-import { editionName } from '../language/family-texts.js';
+import { editionName } from '../language/family.js';
 import type { Language } from '../language/language.js';
 import { nameIn } from '../language/scene-name.js';
 import type { Trace } from '../replay/trace.js';

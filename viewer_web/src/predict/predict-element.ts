@@ -7,7 +7,7 @@ import { liveKey } from '../base/key-map.js';
 import { kbd } from '../elements/keyboard.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { PredictTexts } from '../language/predict-texts.js';
+import type { PredictTexts } from '../language/texts.js';
 import type { Command } from '../time/travel.js';
 import type { Header } from '../trace/header.js';
 import type { Current, Predictor } from './predictor.js';

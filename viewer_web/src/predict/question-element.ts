@@ -6,7 +6,7 @@ import type { View } from '../algorithm/view.js';
 import { kbd } from '../elements/keyboard.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { PredictTexts } from '../language/predict-texts.js';
+import type { PredictTexts } from '../language/texts.js';
 import type { Command } from '../time/travel.js';
 import { optionName, valueName } from './answers.js';
 import type { Current, Predictor } from './predictor.js';

@@ -1,7 +1,7 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
-import type { ReaderTexts } from '../language/reader-texts.js';
+import type { ReaderTexts } from '../language/texts.js';
 import { base } from '../elements/theme.js';
 
 /** Milliseconds for which the message about copying is shown. */

@@ -1,6 +1,6 @@
 import type { FirstTerms } from '../i18n/glossary.js';
 import type { Language } from '../language/language.js';
-import type { ReaderTexts } from '../language/reader-texts.js';
+import type { ReaderTexts } from '../language/texts.js';
 import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
 

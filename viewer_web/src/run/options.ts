@@ -1,6 +1,6 @@
 import { editions, kernelsOf, runsUnder } from '../trace/editions.js';
 export { offeredKernels as kernels } from '../trace/editions.js';
-import { editionName } from '../language/family-texts.js';
+import { editionName } from '../language/family.js';
 import type { Edition, NamedEdition } from '../trace/editions.js';
 import type { Detail, Method } from '../trace/events.js';
 

@@ -1,5 +1,5 @@
 import { inWords } from '../language/library-reason.js';
-import type { SceneTexts } from '../language/scene-texts.js';
+import type { SceneTexts } from '../language/texts.js';
 import type { Sketch } from './sketch.js';
 
 export interface SceneRefusal {

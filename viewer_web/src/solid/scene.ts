@@ -2,7 +2,7 @@ import { algorithmOf } from '../algorithm/algorithm.js';
 import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import { numbersOf } from '../algorithm/view.js';
-import type { SolidTexts } from '../language/solid-texts.js';
+import type { SolidTexts } from '../language/texts.js';
 import { Frame } from '../picture/frame.js';
 import { labelsOf, many } from '../picture/still.js';
 import { outlines, planeOf } from '../trace/polygon.js';

@@ -10,7 +10,7 @@ import { panelsStyle } from '../elements/panels.style.js';
 import { isSet, polygonName, swatch, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { FamilyTexts } from '../language/family-texts.js';
+import type { FamilyTexts } from '../language/texts.js';
 import type { Entry, StackedWindow, Warnock } from '../replay/values.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';

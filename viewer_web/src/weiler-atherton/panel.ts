@@ -10,7 +10,7 @@ import { panelsStyle } from '../elements/panels.style.js';
 import { polygonName, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 import { countedIn, texts } from '../i18n/index.js';
-import type { RegionTexts } from '../language/region-texts.js';
+import type { RegionTexts } from '../language/texts.js';
 import type { WeilerAtherton } from '../replay/values.js';
 import type { Piece, Region } from '../trace/values.js';
 import { areaOf, verticesOf } from './geometry.js';

@@ -1,7 +1,7 @@
 import { customElement, property } from 'lit/decorators.js';
 import { LayerSwitches } from '../elements/layer-switches.js';
 import { texts } from '../i18n/index.js';
-import type { RegionTexts } from '../language/region-texts.js';
+import type { RegionTexts } from '../language/texts.js';
 import type { Frame } from '../picture/frame.js';
 import type { Cells } from '../picture/paint.js';
 import { regionsStyle } from '../picture/regions.style.js';

@@ -1,7 +1,7 @@
 import { html, nothing, svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
-import type { LegendEntry, RegionLegendEntry } from '../language/picture-texts.js';
+import type { LegendEntry } from '../language/texts.js';
 import type { Pixel } from '../picture/pixel.js';
 import { layerOf, ofPolygons, pixelLayers } from '../polygons/shows.js';
 import './algorithm.js';
@@ -13,7 +13,7 @@ import './region-picture.js';
 const box = 'M3 2.5h14v9h-14Z';
 
 /** The icon of each entry, in a box of 20 by 14. */
-const icons: Readonly<Record<RegionLegendEntry, readonly [look: string, d: string]>> = {
+const icons = {
   clipRegion: ['clip-region', box],
   subject: ['subject', box],
   insidePart: ['inside-part', `${box}M3 11.5l9 -9M9 11.5l8 -8M3 5.5l3 -3`],
@@ -22,7 +22,9 @@ const icons: Readonly<Record<RegionLegendEntry, readonly [look: string, d: strin
   leaves: ['leaves', crossingData.leaves([10, 7], 4)],
   shown: ['shown', box],
   piercing: ['piercing-line', 'M1 11L19 3'],
-};
+} as const satisfies Partial<Record<LegendEntry, readonly [look: string, d: string]>>;
+
+type RegionLegendEntry = keyof typeof icons;
 
 /** In the order of the legend. */
 const regionEntries = Object.keys(icons) as readonly RegionLegendEntry[];

@@ -2,7 +2,7 @@ import { edgeThing } from '../algorithm/pointed.js';
 import type { Thing } from '../algorithm/pointed.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import type { SolidTexts } from '../language/solid-texts.js';
+import type { SolidTexts } from '../language/texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
 import { polygonInHand } from '../picture/event-marks.js';

@@ -1,7 +1,6 @@
-import type { AtlasTexts } from '../../language/atlas-texts.js';
-
-export const atlas: AtlasTexts = {
+export const atlas = {
   title: 'Atlas of failures',
+  /** The label of the button that opens it. */
   open: 'Atlas of failures',
   close: 'Close',
   show: 'Show',
@@ -13,11 +12,14 @@ export const atlas: AtlasTexts = {
     limit: 'limits of a method',
     test: 'without a scene',
   },
+  /** Instead of a picture. */
   noScene: 'no scene can show it',
   remedy: 'Remedy',
-  at: (step, there) => `Step ${step}: ${there}`,
+  /** The step at which a failure shows, and the defect there. */
+  at: (step: string, there: string): string => `Step ${step}: ${there}`,
   goTo: 'Go to the step',
   compare: 'Compare with the remedy',
   leave: 'Leave the comparison',
+  /** The panel of the open failure. */
   forget: 'Hide',
 };

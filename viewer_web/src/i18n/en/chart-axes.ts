@@ -1,42 +1,44 @@
-import type { ChartTexts } from '../../language/chart-texts.js';
-
-export const costs: ChartTexts['costs'] = {
+export const costs = {
   time: {
     name: 'Time',
+    /** The label of the axis, for a single subject and for means. */
     axis: 'time, relative to the fastest run',
     ratioAxis: 'time, relative to the fastest run',
-    sentence: (rounds) =>
+    sentence: (rounds: string): string =>
       `Time to draw the picture without a trace: the median of ${rounds} rounds, relative to the fastest run.`,
     ratioSentence:
       'Time is relative to the fastest run of each picture: the geometric mean over the pictures.',
   },
   operations: {
     name: 'Operations',
+    /** The label of the axis, for a single subject and for means. */
     axis: 'operations',
     ratioAxis: 'operations, relative to the fewest',
-    sentence: () => 'Operations are the elementary steps of the listings.',
+    sentence: (): string => 'Operations are the elementary steps of the listings.',
     ratioSentence:
       'Operations are relative to the fewest of each picture: the geometric mean over the pictures.',
   },
   bits: {
     name: 'Bits',
+    /** The label of the axis, for a single subject and for means. */
     axis: 'operations × bits',
     ratioAxis: 'operations × bits, relative to the fewest',
-    sentence: () => 'Bits: the number of operations times the width of their numbers.',
+    sentence: (): string => 'Bits: the number of operations times the width of their numbers.',
     ratioSentence:
       'Bits (operations times the width of their numbers) are relative to the fewest of each picture: the geometric mean over the pictures.',
   },
   samples: {
     name: 'Samples',
+    /** The label of the axis, for a single subject and for means. */
     axis: 'samples',
     ratioAxis: 'samples, relative to the fewest',
-    sentence: () => 'Samples: the total over all curves.',
+    sentence: (): string => 'Samples: the total over all curves.',
     ratioSentence:
       'Samples are relative to the fewest of each picture: the geometric mean over the pictures.',
   },
 };
 
-export const errors: ChartTexts['errors'] = {
+export const errors = {
   wrongPixels: {
     name: 'Wrong pixels',
     axis: 'wrong pixels, of all',

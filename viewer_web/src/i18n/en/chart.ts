@@ -1,10 +1,9 @@
-import type { ChartTexts } from '../../language/chart-texts.js';
-import { methodTitles } from '../../language/family-texts.js';
+import { methodTitles } from '../../language/family.js';
 import { costs, errors } from './chart-axes.js';
 import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
 
-export const chart: ChartTexts = {
+export const chart = {
   tagline: 'what a correct picture costs',
   ownFile: 'Your own chart',
   openFile: 'Open a file…',
@@ -12,18 +11,19 @@ export const chart: ChartTexts = {
   subjects,
   kinds: { ordinary: 'Ordinary', degenerate: 'Degenerate', surfaces: 'Surfaces' },
   allOf: {
-    ordinary: (count) => `All ordinary scenes (${count})`,
-    degenerate: (count) => `All degenerate scenes (${count})`,
-    surfaces: (count) => `All surfaces (${count})`,
+    ordinary: (count: string): string => `All ordinary scenes (${count})`,
+    degenerate: (count: string): string => `All degenerate scenes (${count})`,
+    surfaces: (count: string): string => `All surfaces (${count})`,
   },
-  aboutScene: (pixels, polygons, unsteady) =>
+  aboutScene: (pixels: string, polygons: string, unsteady: string): string =>
     `pixels: ${pixels} · polygons: ${polygons} · pixels that an ulp may change: ${unsteady}`,
-  aboutSurface: (curves, columns) =>
+  aboutSurface: (curves: string, columns: string): string =>
     `curves: ${curves} · columns of all curves: ${columns} · the cost of drawing alone, without that of sampling`,
   cost: 'Cost',
   error: 'Error',
   series: 'Shown',
   methods: { ...methodTitles('en'), ...family.methods },
+  /** Warnock's algorithm. */
   variants: 'Variants of Warnock',
   variantNames: family.names,
   knobs: {
@@ -35,13 +35,14 @@ export const chart: ChartTexts = {
     tolerance: 'tolerance',
   },
   turned: {
-    bits: (value) => `arithmetic of ${value} bits`,
-    depth: (value) => `Z-buffer of ${value} bits`,
-    grid: (value) => `sub-pixel grid of ${value} bits`,
-    window: (value) => `smallest window: ${value} px`,
-    samples: (value) => `${value} samples per curve`,
-    tolerance: (value) => `tolerance ${value} px`,
+    bits: (value: string): string => `arithmetic of ${value} bits`,
+    depth: (value: string): string => `Z-buffer of ${value} bits`,
+    grid: (value: string): string => `sub-pixel grid of ${value} bits`,
+    window: (value: string): string => `smallest window: ${value} px`,
+    samples: (value: string): string => `${value} samples per curve`,
+    tolerance: (value: string): string => `tolerance ${value} px`,
   },
+  /** How a surface's curves may be sampled. */
   samplings: {
     samples: 'evenly spaced samples',
     tolerance: 'samples within a tolerance',
@@ -50,16 +51,20 @@ export const chart: ChartTexts = {
   editions: { corrected: 'corrected', printed: 'as printed' },
   fault: 'stopped by a fault',
   printed: 'text as printed',
-  printedLabel: (kernel) => `${kernel}, printed`,
+  printedLabel: (kernel: string): string => `${kernel}, printed`,
   costs,
   errors,
-  counted: (part, all) => `${part} of ${all}`,
-  units: { depthUlps: (count) => `${count} ulps`, height: (count) => `${count} px` },
+  counted: (part: string, all: string): string => `${part} of ${all}`,
+  units: {
+    depthUlps: (count: string): string => `${count} ulps`,
+    height: (count: string): string => `${count} px`,
+  },
   reading:
     'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; their series are spread out only to tell them apart.',
-  missing: (kernels) => `Not shown because their numbers have no fixed width: ${kernels}.`,
-  rightPicture: (share) => `the correct picture itself: ${share}`,
-  plot: (cost, error) => `${error} against ${cost}`,
+  missing: (kernels: string): string =>
+    `Not shown because their numbers have no fixed width: ${kernels}.`,
+  rightPicture: (share: string): string => `the correct picture itself: ${share}`,
+  plot: (cost: string, error: string): string => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
   front: 'The front: no other run is both as cheap and as right',
   frontMark: 'the front',
@@ -67,25 +72,26 @@ export const chart: ChartTexts = {
   whichRun: 'Which run to choose',
   losses: {
     nothing: 'Its curves match the function over every column.',
-    height: (pixels) => `Its curves are at most ${pixels} from the function.`,
+    height: (pixels: string): string => `Its curves are at most ${pixels} from the function.`,
     noDecision:
       'No run of the corrected text makes a wrong decision: the error comes from the samples alone.',
-    decisions: (kernels) =>
+    decisions: (kernels: string): string =>
       `The error comes from the samples and from arithmetic. Wrong decisions in a run of the corrected text, at most: ${kernels}.`,
   },
   operations: {
-    windows: (share) => `${share} of its operations take a window from the stack`,
-    boxes: (share) => `${share} of its operations are box tests`,
-    depths: (share) => `${share} of its operations are depths of planes`,
-    orientations: (share) => `${share} of its operations are orientation tests`,
-    comparisons: (share) => `${share} of its operations are comparisons of depths`,
-    intersections: (share) => `${share} of its operations are intersections`,
-    rows: (share) => `${share} of its operations find the ends of rows`,
-    edges: (share) => `${share} of its operations are steps of edges`,
-    visibilities: (share) => `${share} of its operations compare a curve with the horizons`,
-    horizons: (share) => `${share} of its operations set a horizon`,
-    steps: (share) => `${share} of its operations search for a crossing`,
-    crossings: (share) => `${share} of its operations compute a crossing`,
+    windows: (share: string): string => `${share} of its operations take a window from the stack`,
+    boxes: (share: string): string => `${share} of its operations are box tests`,
+    depths: (share: string): string => `${share} of its operations are depths of planes`,
+    orientations: (share: string): string => `${share} of its operations are orientation tests`,
+    comparisons: (share: string): string => `${share} of its operations are comparisons of depths`,
+    intersections: (share: string): string => `${share} of its operations are intersections`,
+    rows: (share: string): string => `${share} of its operations find the ends of rows`,
+    edges: (share: string): string => `${share} of its operations are steps of edges`,
+    visibilities: (share: string): string =>
+      `${share} of its operations compare a curve with the horizons`,
+    horizons: (share: string): string => `${share} of its operations set a horizon`,
+    steps: (share: string): string => `${share} of its operations search for a crossing`,
+    crossings: (share: string): string => `${share} of its operations compute a crossing`,
   },
   replay: {
     title: 'The chosen run',
@@ -99,7 +105,7 @@ export const chart: ChartTexts = {
   },
   empty: 'No chart is open.',
   howTo: 'This command writes a chart of every way to run these scenes:',
-  unreadable: (name, where, reason) =>
+  unreadable: (name: string, where: string, reason: string): string =>
     `${name} cannot be read as a chart. ${where === '' ? '' : `${where}: `}${reason}.`,
-  broken: (name) => `${name} could not be read.`,
+  broken: (name: string): string => `${name} could not be read.`,
 };

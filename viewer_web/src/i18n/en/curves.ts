@@ -1,8 +1,8 @@
-import type { CurveTexts } from '../../language/curve-texts.js';
+import type { N } from '../../trace/values.js';
 import { short } from '../../language/words.js';
 
-export const curves: CurveTexts = {
-  curve: (curve) => `Curve ${curve}`,
+export const curves = {
+  curve: (curve: number): string => `Curve ${curve}`,
   inHand: 'curve',
   segment: 'segment',
   edges: 'Side edges',
@@ -27,19 +27,21 @@ export const curves: CurveTexts = {
     edges: 'side edges',
   },
   layersName: 'What the picture shows',
-  around: (column) => `Horizons around column ${column}`,
+  around: (column: string): string => `Horizons around column ${column}`,
   history: {
     pixel: 'Column',
-    at: (x) => `Column ${x}`,
-    horizons: (upper, lower) =>
+    at: (x: number): string => `Column ${x}`,
+    /** The horizons over a column, for its announcement: their heights, null without one. */
+    horizons: (upper: N | null, lower: N | null): string =>
       `${upper === null ? 'no upper horizon' : `upper horizon ${short(upper)}`}, ${lower === null ? 'no lower horizon' : `lower horizon ${short(lower)}`}`,
-    hint: (key) =>
+    /** Includes the key if single-character keys are on. */
+    hint: (key: string | null): string =>
       `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move by one column, with Shift by ten. Enter shows the history of the column. Escape leaves the picture.',
     forget: 'Forget the column',
     entries: 'Everything that happened over the column',
     outcomes: { pass: 'visible', fail: 'hidden', paint: 'drawn', wrong: 'wrong', note: '' },
-    painted: (step) => `Last drawn over at step ${step}`,
+    painted: (step: number): string => `Last drawn over at step ${step}`,
     unpainted: 'No curve is drawn over it.',
   },
   surface: {
@@ -50,7 +52,7 @@ export const curves: CurveTexts = {
     function: 'y as a function of x and z',
     language:
       'x, z, pi; + − * / ^, comparisons, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
-    sampled: (curves, samples) =>
+    sampled: (curves: number, samples: number): string =>
       `${curves} curves with ${samples} samples, given as numbers. Moving a sample replaces the function by numbers.`,
     give: 'Give a function instead',
     ends: { x: ['x, left', 'x, right'], z: ['z, nearest', 'z, farthest'] },
@@ -65,7 +67,9 @@ export const curves: CurveTexts = {
       across: 'From a curve’s left end to its right one',
       back: 'From a curve to the next',
     },
+    /** The labels of x and y for a direction on the screen. */
     place: ['columns', 'rows'],
-    sample: (curve, x, y) => `Curve ${curve}, column ${x}: height ${y}`,
+    sample: (curve: number, x: number, y: number): string =>
+      `Curve ${curve}, column ${x}: height ${y}`,
   },
 };

@@ -1,4 +1,4 @@
-import type { ExactTexts } from '../../language/exact-texts.js';
+import type { WindowSide, WindowCorner } from '../../exactness/margin.js';
 import { causeWords, decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 
@@ -12,10 +12,11 @@ const answer = (value: Answer): string => {
 
 const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.abs(n)}`;
 
-export const exact: ExactTexts = {
+export const exact = {
   exactness: 'Exact?',
-  decided: decisionWords.en,
-  causes: causeWords.en,
+  /** Used in the middle of a sentence. */
+  decided: decisionWords.en as Readonly<Record<keyof typeof decisionWords.en, string>>,
+  causes: causeWords.en as Readonly<Record<keyof typeof causeWords.en, string>>,
   answer,
   computed: 'Computed',
   exact: 'Exactly',
@@ -30,13 +31,16 @@ export const exact: ExactTexts = {
   wrong: 'Wrong.',
   undefined: 'The run took a wrong branch before, so there is no right answer here.',
   unchecked: 'Not checked: this run was not compared with exact arithmetic.',
+  /** Shown in place of the number of wrong decisions. */
   notChecked: 'not checked',
   checking: 'Checking every decision of this run…',
+  /** Shown in place of the number of wrong decisions during the check. */
   checkingShort: 'checking…',
-  found: (wrong) =>
+  found: (wrong: number): string =>
     wrong === 0
       ? 'Checked: every decision of this run is right.'
       : `Checked: this run decides wrongly at ${wrong} ${wrong === 1 ? 'step' : 'steps'}.`,
+  /** No decision is wrong, but the text is not the corrected one. */
   foundNoneBut:
     'Checked: every decision is as in exact arithmetic. But this is not the corrected text, so the picture may still be wrong.',
   unable: {
@@ -48,9 +52,10 @@ export const exact: ExactTexts = {
   },
   certain: 'With these numbers every decision is exact.',
   check: 'Check every decision',
+  /** The list of decisions worth looking at. */
   findings: {
     title: 'Decisions worth looking at',
-    count: (count) => (count === 1 ? '1 decision' : `${count} decisions`),
+    count: (count: number): string => (count === 1 ? '1 decision' : `${count} decisions`),
     withNumbers: 'include equal numbers',
     more: 'Show more',
     polygons: 'Polygons',
@@ -66,30 +71,36 @@ export const exact: ExactTexts = {
       curve_on_horizon: 'curve on the horizon',
       equal_numbers: 'equal numbers',
     },
-    pixels: (off) => `${off} pixels`,
-    gap: (computed, exactly) => `Difference: computed ${computed}, exact ${exactly}`,
-    decides: (pixels) => `Decides the pixels ${pixels}`,
+    pixels: (off: string): string => `${off} pixels`,
+    /** The difference between two numbers. */
+    gap: (computed: string, exactly: string): string =>
+      `Difference: computed ${computed}, exact ${exactly}`,
+    decides: (pixels: string): string => `Decides the pixels ${pixels}`,
   },
+  /** The effect of moving a vertex across a side of its margin. */
   margin: {
-    edge: (edge, at) => `edge ${edge} over ${at}`,
-    vertex: (side) => `vertex over the ${side} side`,
-    edgeAtCorner: (edge, corner) => `edge ${edge} over the ${corner.replace('-', ' ')} corner`,
+    edge: (edge: number, at: string): string => `edge ${edge} over ${at}`,
+    vertex: (side: WindowSide): string => `vertex over the ${side} side`,
+    edgeAtCorner: (edge: number, corner: WindowCorner): string =>
+      `edge ${edge} over the ${corner.replace('-', ' ')} corner`,
   },
+  /** The heading of the calculation line by line, and its two versions. */
   byHand: 'Step by step',
   byHandWith: { used: 'With the numbers of this run', exact: 'With the exact numbers' },
   noNumbers: 'One of the numbers is undefined or infinite.',
   nothing: 'No numeric decision at this step. Go to a sign, a comparison or a range.',
   findWrong: '“Go to: a wrong decision” finds the wrong ones.',
-  lens: (at) => `The same decision around ${at}`,
-  apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
+  lens: (at: string): string => `The same decision around ${at}`,
+  apart: (ulp: string): string => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:
     'This decision has no map. Only signs and comparisons of two polygons’ depths have one, and not with every kind of number.',
   drawing: 'Computing at each neighbour…',
-  wrongPlaces: (wrong, all) =>
+  wrongPlaces: (wrong: number, all: number): string =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,
   drifted:
     'The map computes both depths from the planes. This run accumulated its depth along the row, so its answer differs.',
-  cell: (x, y, computed, exactly) =>
+  /** The signs at a place the given number of ulps away. */
+  cell: (x: number, y: number, computed: string, exactly: string): string =>
     `x ${ulps(x)}, y ${ulps(y)} ulp: computed ${computed}, exact ${exactly}`,
   signs: { '-1': 'negative', 0: 'zero', 1: 'positive' },
   yesNo: { '-1': 'no', 0: 'no', 1: 'yes' },

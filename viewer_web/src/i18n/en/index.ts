@@ -1,4 +1,3 @@
-import type { Texts } from '../../language/texts.js';
 import {
   inFull,
   joined,
@@ -30,7 +29,7 @@ import { strip } from './strip.js';
 import { travel } from './travel.js';
 import { tour, verdict, words } from './words.js';
 
-export const texts: Texts = {
+export const texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
   page,
   places,

@@ -1,46 +1,54 @@
-import { editionTitles, methodTitles } from '../../language/family-texts.js';
-import type { PageTexts, Texts } from '../../language/texts.js';
+import { editionTitles, methodTitles } from '../../language/family.js';
 import { family } from './family.js';
 
-export const page: PageTexts = {
+export const page = {
   tagline: 'why a pixel has its colour',
   lessons: 'Lessons',
   noLessons: 'This page was built without lessons.',
   ownFile: 'Your own scene or trace',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz',
-  reading: (name) => `Reading ${name}…`,
-  growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent}% of the file`,
+  reading: (name: string): string => `Reading ${name}…`,
+  growing: (steps: string, percent: number): string =>
+    `Reading: ${steps} steps so far, ${percent}% of the file`,
   stopReading: 'Stop here',
-  unreadable: (name, line, where, reason) =>
+  unreadable: (name: string, line: number, where: string, reason: string): string =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   noWebAssembly:
     "This page forbids WebAssembly, by which vidno replays a trace; the header “Content-Security-Policy: script-src 'self' 'wasm-unsafe-eval'” allows it.",
-  emptyFile: (name) => `${name}: the file is empty.`,
-  unknown: (name) => `The link names “${name}”, which this page does not contain.`,
+  emptyFile: (name: string): string => `${name}: the file is empty.`,
+  unknown: (name: string): string => `The link names “${name}”, which this page does not contain.`,
+  /** A link that could not hold what it was made from. */
   unheld:
     'The link was copied from a page with an opened file or a large scene, which a link cannot hold. ' +
     'Ask for the page itself: its button “Save page” saves a page that contains everything.',
-  lost: (faults, step) =>
+  /** The run lost something at these many steps, first at this one. */
+  lost: (faults: number, step: string): string =>
     faults === 1
       ? `The run lost something at step ${step}: the picture may lack a part.`
       : `The run lost something at ${faults} steps, first at step ${step}: the picture may lack parts.`,
-  goToLoss: (step) => `Go to step ${step}`,
-  broken: (name) => `${name || 'The scene in the link'} could not be read.`,
-  refusedScene: (name, why) => `${name} cannot be run: ${why}.`,
-  refusedFor: (name) => `${name} cannot be run:`,
-  isChart: (name) => `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
-  isMesh: (name) =>
+  goToLoss: (step: string): string => `Go to step ${step}`,
+  broken: (name: string): string => `${name || 'The scene in the link'} could not be read.`,
+  refusedScene: (name: string, why: string): string => `${name} cannot be run: ${why}.`,
+  /** The same before a list of errors. */
+  refusedFor: (name: string): string => `${name} cannot be run:`,
+  isChart: (name: string): string =>
+    `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
+  isMesh: (name: string): string =>
     `${name} is a mesh. Make a scene of it with the program, and open that: vidno import ${name} -o scene.json`,
   shortened: {
-    cut: (line) => `The file breaks off after line ${line}. Showing the run up to there.`,
-    partial: () => 'The run reached its limit of events. Showing its beginning.',
-    limit: (line) => `The trace is too long for this page. Showing its first ${line} lines.`,
-    stopped: (line) => `You stopped reading after line ${line}. Showing the run up to there.`,
+    cut: (line: number): string =>
+      `The file breaks off after line ${line}. Showing the run up to there.`,
+    partial: (): string => 'The run reached its limit of events. Showing its beginning.',
+    limit: (line: number): string =>
+      `The trace is too long for this page. Showing its first ${line} lines.`,
+    stopped: (line: number): string =>
+      `You stopped reading after line ${line}. Showing the run up to there.`,
   },
-  wrongLine: (line, where, reason) =>
+  wrongLine: (line: number, where: string, reason: string): string =>
     `Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}. Showing the run up to there.`,
   methods: { ...methodTitles('en'), ...family.methods },
+  /** The decisions of a run were compared with exact arithmetic. */
   checked: 'checked',
   editions: editionTitles('en', 'mistake: '),
   kernel: 'numbers',
@@ -49,13 +57,13 @@ export const page: PageTexts = {
   unnamed: 'Scene without a name',
   nothingOpen: 'Choose a lesson, or open a scene or a trace of your own.',
   picture: 'Picture',
-  savePicture: (kind) => `Save the picture as ${kind}`,
+  savePicture: (kind: string): string => `Save the picture as ${kind}`,
   listing: 'Procedure',
   things: {
-    polygon: (id) => `Polygon ${id}`,
-    edge: (edge) => `Edge ${edge}`,
-    corner: (place) => `The ${place} corner`,
-    window: (window) => `Window ${window}`,
+    polygon: (id: string): string => `Polygon ${id}`,
+    edge: (edge: number): string => `Edge ${edge}`,
+    corner: (place: string): string => `The ${place} corner`,
+    window: (window: string): string => `Window ${window}`,
   },
   source: 'The procedure in C++',
   callStack: 'Calls',
@@ -68,15 +76,19 @@ export const page: PageTexts = {
   playAgain: 'Play from the start',
   pause: 'Pause',
   step: 'Step',
-  ofSteps: (length) => `of ${length}`,
+  ofSteps: (length: string): string => `of ${length}`,
   speed: 'Speed',
-  perSecond: (n) => `${n} steps per second`,
-  rate: (n) => `${n}/s`,
+  perSecond: (n: number): string => `${n} steps per second`,
+  /** The same, abbreviated. */
+  rate: (n: number): string => `${n}/s`,
   keys: 'Keys',
   close: 'Close',
+  /** The view with everything known about a step. */
   workbench: 'Workbench',
   workbenchHint: 'Everything about each step: state, exactness, 3D, time strip',
+  /** The label of the button that shows the tools where there is no room for them. */
   tools: 'Tools',
+  /** The dividers, by the part whose size they change. */
   sizeOf: {
     text: 'Size of the text',
     picture: 'Size of the picture',
@@ -85,7 +97,7 @@ export const page: PageTexts = {
   },
   skip: 'To the controls',
   news: {
-    panel: (name) => `Panel: ${name}`,
+    panel: (name: string): string => `Panel: ${name}`,
     presented: 'Presentation: large type, nothing else. Esc leaves.',
     notPresented: 'The presentation is over.',
     noSolid: 'This run has no 3D view.',
@@ -140,7 +152,7 @@ export const page: PageTexts = {
     everywhere: 'Single-character keys',
     everywhereHint:
       'Off: letters, digits and punctuation work only in the control that has the focus',
-    change: (use) => `Key for: ${use}`,
+    change: (use: string): string => `Key for: ${use}`,
     changeHint: 'Choose a letter in the list and press another one to change it.',
     reset: 'Reset all keys',
   },
@@ -189,13 +201,13 @@ export const page: PageTexts = {
   row: 'row',
   yes: 'yes',
   no: 'no',
-  more: (n) => `and ${n} more`,
+  more: (n: number): string => `and ${n} more`,
   notInTrace: 'This trace does not record that.',
   depthsTooMany: 'The area is too large to show its depths: at most 4096 × 4096 pixels.',
-  defect: (id) => `The printed text is wrong here: ${id}`,
+  defect: (id: string): string => `The printed text is wrong here: ${id}`,
 };
 
-export const places: Texts['places'] = {
+export const places = {
   lb: 'top left',
   lt: 'bottom left',
   rb: 'top right',

@@ -1,6 +1,4 @@
-import type { PictureTexts } from '../../language/picture-texts.js';
-
-export const picture: PictureTexts = {
+export const picture = {
   zoom: 'Zoom',
   legend: 'Legend',
   readout: { unpainted: 'not painted yet', background: 'background', or: ' or ' },
@@ -19,7 +17,7 @@ export const picture: PictureTexts = {
   exactly: 'the nearest polygon at the centre of each pixel',
   computing: 'Computing the exact picture…',
   ramp: 'The lighter, the nearer',
-  fromTo: (far, near) => `depths from ${far} (dark) to ${near} (light)`,
-  wrong: (n) => `${n} with a wrong colour`,
-  lacking: (n) => `${n} not painted yet`,
+  fromTo: (far: string, near: string): string => `depths from ${far} (dark) to ${near} (light)`,
+  wrong: (n: number): string => `${n} with a wrong colour`,
+  lacking: (n: number): string => `${n} not painted yet`,
 };

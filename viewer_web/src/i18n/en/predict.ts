@@ -1,12 +1,13 @@
-import type { PredictTexts } from '../../language/predict-texts.js';
+import type { Abouts } from '../../predict/question.js';
 import { point, short, windowText } from '../../language/words.js';
 import { places } from './page.js';
 
 const sides = ['top', 'left', 'bottom', 'right'];
 
-export const predict: PredictTexts = {
+export const predict = {
   title: 'Predict',
-  hint: (key) =>
+  /** Includes the key if single-character keys are on. */
+  hint: (key: string | null): string =>
     `Say what the procedure will do next, and why, before it does it.${key === null ? '' : ` Press ${key} for a question.`}`,
   next: 'Next question',
   none: 'No more questions of these kinds from here on.',
@@ -46,63 +47,66 @@ export const predict: PredictTexts = {
     painted: 'the nearer of two regions',
   },
   intro: {
-    plane: ({ polygon, c }) =>
+    plane: ({ polygon, c }: Abouts['plane']): string =>
       `InitializePolygon: the plane a x + b y + c z + d = 0 of ${polygon}. Its c is ${short(c)}.`,
-    facing: () => 'BackFaces: a face that looks away from the viewer does not take part.',
-    split: ({ polygon, vertex, window }) =>
+    facing: (): string => 'BackFaces: a face that looks away from the viewer does not take part.',
+    split: ({ polygon, vertex, window }: Abouts['split']): string =>
       `VertexSplit: vertex ${vertex + 1} of ${polygon} lies in the window ${windowText(window)}. The window is split at the pixel boundaries nearest to the vertex, provided that one of them is inside. If two boundaries are equally near, the lesser is taken.`,
-    trial: ({ polygon, edge, window }) =>
+    trial: ({ polygon, edge, window }: Abouts['trial']): string =>
       `TrialFunction: ${polygon} and the window ${windowText(window)}. f is positive on one side of an edge’s line and negative on the other; edge ${edge} is the first.`,
-    depth: ({ polygon, point: at, plane }) =>
+    depth: ({ polygon, point: at, plane }: Abouts['depth']): string =>
       `Depth: ${polygon} at ${point(at)}. In its plane a x + b y + c z + d = 0, a, b, c and d are ${plane.map(short).join('; ')}.`,
-    edgeDepth: ({ polygon, point: at }) =>
+    edgeDepth: ({ polygon, point: at }: Abouts['edgeDepth']): string =>
       `EdgeDepth: ${polygon} is edge-on, and ${point(at)} lies on its line.`,
-    fill: ({ row, outline }) =>
+    fill: ({ row, outline }: Abouts['fill']): string =>
       `FillPolygon: row ${row} of the outline ${outline.map(point).join(' ')}. A pixel is covered if its centre lies between the ends of the row or on one.`,
-    window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
-    pop: ({ divided }) => `The window ${windowText(divided)} was split, and its parts were pushed.`,
-    relation: ({ polygon, window }) =>
+    window: ({ window }: Abouts['window']): string =>
+      `What becomes of the window ${windowText(window)}?`,
+    pop: ({ divided }: Abouts['pop']): string =>
+      `The window ${windowText(divided)} was split, and its parts were pushed.`,
+    relation: ({ polygon, window }: Abouts['relation']): string =>
       `How does ${polygon} lie relative to the window ${windowText(window)}?`,
-    ray: ({ polygon, window }) =>
+    ray: ({ polygon, window }: Abouts['ray']): string =>
       `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
-    octants: ({ polygon, window }) =>
+    octants: ({ polygon, window }: Abouts['octants']): string =>
       `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered clockwise; the upper left one is 0.`,
-    corners: ({ polygon }) =>
+    corners: ({ polygon }: Abouts['corners']): string =>
       `The depths of ${polygon} at the corners are known; beside each is the nearest so far.`,
-    inside: ({ polygon, point: at, corner }) =>
+    inside: ({ polygon, point: at, corner }: Abouts['inside']): string =>
       `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}.`,
-    point: ({ point: at }) => `What is seen at ${point(at)}, the centre of the window?`,
-    clip: ({ polygon, side }) =>
+    point: ({ point: at }: Abouts['point']): string =>
+      `What is seen at ${point(at)}, the centre of the window?`,
+    clip: ({ polygon, side }: Abouts['clip']): string =>
       `PolygonClip: ${polygon} and side ${side} of 4, the ${sides[side - 1] ?? ''} one.`,
-    ael: ({ polygon, row }) =>
+    ael: ({ polygon, row }: Abouts['ael']): string =>
       row === null
         ? `What is the AEL of ${polygon} on its first scanline?`
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
-    piercing: ({ polygons }) =>
+    piercing: ({ polygons }: Abouts['piercing']): string =>
       `SplitPiercing: ${polygons.join(', ')}. Those that pierce each other are split along the line in which their planes meet.`,
-    sort: ({ pieces }) =>
+    sort: ({ pieces }: Abouts['sort']): string =>
       `DepthSort: ${pieces} pieces, by the greatest depth that each has at its vertices. Those of equal depth stay in their order.`,
-    parted: ({ clip, pieces }) =>
+    parted: ({ clip, pieces }: Abouts['parted']): string =>
       `${clip} is the clip polygon of a list of ${pieces} pieces. The others are clipped by its outline.`,
-    entering: ({ polygon, clip }) =>
+    entering: ({ polygon, clip }: Abouts['entering']): string =>
       `RegionClip: the outline of ${polygon} and the clip polygon ${clip}. The points are those of the outline, in the order in which one walks along it.`,
-    walk: ({ polygon, clip, from }) =>
+    walk: ({ polygon, clip, from }: Abouts['walk']): string =>
       `RegionClip: walk round the part of ${polygon} inside ${clip}, from point ${from}, where the outline of ${polygon} enters. The points of that outline come first, then the other vertices of ${clip}, each in the order of the walk.`,
-    behind: ({ clip }) =>
+    behind: ({ clip }: Abouts['behind']): string =>
       `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
-    stack: ({ clip, nearer }) =>
+    stack: ({ clip, nearer }: Abouts['stack']): string =>
       `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than ${clip}.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
-    pixels: ({ polygon, row }) =>
+    pixels: ({ polygon, row }: Abouts['pixels']): string =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one.`,
-    flags: ({ curve }) =>
+    flags: ({ curve }: Abouts['flags']): string =>
       `Visibility: curve ${curve} over the next columns. Beside each are its height, which grows downward, and the horizons.`,
-    sideEdge: ({ curve, from, to }) =>
+    sideEdge: ({ curve, from, to }: Abouts['sideEdge']): string =>
       `SideEdge: from ${point(from)} to ${point(to)}, the end of curve ${curve}. Beside each column between are the horizons; heights grow downward.`,
-    painted: ({ polygon, other, point: at }) =>
+    painted: ({ polygon, other, point: at }: Abouts['painted']): string =>
       `PaintRegions: the centre ${point(at)} belongs to regions of ${polygon} and ${other}. z is the depth of ${polygon} there, z′ that of ${other}.`,
-    horizons: ({ curve }) =>
+    horizons: ({ curve }: Abouts['horizons']): string =>
       `Horizon: a segment of curve ${curve} over two columns. Beside each are its height, which grows downward, and the horizons.`,
-    meeting: ({ curve }) =>
+    meeting: ({ curve }: Abouts['meeting']): string =>
       `Intersection: a segment of curve ${curve} between two columns. Beside each are its height, which grows downward, and the horizons.`,
   },
   asks: {
@@ -163,6 +167,7 @@ export const predict: PredictTexts = {
     meets: 'Which horizon does it meet?',
     where: 'Where?',
   },
+  /** The format of an answer of several values. */
   rows: {
     cornerSigns: 'one sign per corner, such as + 0 − −',
     signs: 'one sign per edge, such as + 0 −',
@@ -170,8 +175,9 @@ export const predict: PredictTexts = {
     order: 'numbers of edges, such as 3 1; − for none',
     walked: 'numbers of points, such as 4 5 9',
   },
+  /** A table of numbers: the names of its rows, from 1, and of its columns, and how to write a number. */
   table: {
-    entry: (number) => `entry ${number}`,
+    entry: (number: number): string => `entry ${number}`,
     columns: {
       a: 'a',
       b: 'b',
@@ -185,6 +191,7 @@ export const predict: PredictTexts = {
     },
     hint: 'numbers such as 7.75 or 31/4; three decimals are enough',
   },
+  /** The text in the places after the end of a row. */
   ends: {
     signs: 'no longer needed',
     cornerSigns: 'no more',
@@ -202,6 +209,7 @@ export const predict: PredictTexts = {
     intersecting: 'intersecting',
     surrounding: 'surrounding',
   },
+  /** The conditions that the lines of the relation test examine. */
   tests: {
     RE1: 'the box lies outside',
     RE2: 'the box lies inside',
@@ -212,24 +220,25 @@ export const predict: PredictTexts = {
     visible: 'the clip polygon is visible',
     again: 'what is nearer goes on the stack, the clip polygon last',
   },
-  edge: (edge) => `edge ${edge}`,
-  column: (column) => `column ${column}`,
+  edge: (edge: string): string => `edge ${edge}`,
+  column: (column: string): string => `column ${column}`,
   horizons: { upper: 'the upper one', lower: 'the lower one' },
   between: 'between the columns',
-  overColumn: (column) => `over column ${column}`,
+  overColumn: (column: string): string => `over column ${column}`,
   inPicture: 'You can also choose in the picture.',
   hintFor: 'Hint',
-  hintCosts: (cost) => `Takes ${cost} off the point for this part`,
+  /** With the share of a point that it costs. */
+  hintCosts: (cost: string): string => `Takes ${cost} off the point for this part`,
   hinted: {
-    one: (entry) => `Hint: “${entry}” is wrong.`,
-    some: (entry) => `Hint: ${entry} was wrong and is corrected.`,
-    row: (entry) => `Hint: the start is right; its last entry is ${entry}.`,
-    table: (entry) => `Hint: ${entry}.`,
+    one: (entry: string): string => `Hint: “${entry}” is wrong.`,
+    some: (entry: string): string => `Hint: ${entry} was wrong and is corrected.`,
+    row: (entry: string): string => `Hint: the start is right; its last entry is ${entry}.`,
+    table: (entry: string): string => `Hint: ${entry}.`,
   },
   hintedNothing: 'Hint: nothing to correct.',
-  firstWrong: (entry) => `First wrong entry: ${entry}.`,
+  firstWrong: (entry: string): string => `First wrong entry: ${entry}.`,
   tooLong: 'the row is too long',
-  points: (points, most) => `${points} of ${most} points`,
+  points: (points: string, most: number): string => `${points} of ${most} points`,
   check: 'Check',
   giveUp: 'Give up',
   again: 'Try again',
@@ -237,15 +246,16 @@ export const predict: PredictTexts = {
   verdicts: { right: 'Right.', wrong: 'Not quite.', givenUp: 'Given up.' },
   partRight: 'right',
   partWrong: 'wrong',
-  rightIs: (answer) => `Correct: ${answer}`,
+  rightIs: (answer: string): string => `Correct: ${answer}`,
   empty: 'none',
   because: 'Why',
-  waits: (step) => `A question waits at step ${step}`,
+  waits: (step: number): string => `A question waits at step ${step}`,
   score: 'Score',
-  counted: (right, asked) => `${right} of ${asked} right on the first try`,
+  counted: (right: number, asked: number): string => `${right} of ${asked} right on the first try`,
   first: 'Only the first answer counts.',
-  earlier: (answers) => `Answers from earlier visits: ${answers}.`,
-  kept: (percent, left) =>
+  earlier: (answers: number): string => `Answers from earlier visits: ${answers}.`,
+  /** With the percentage in the course, and how many questions are left before the lesson is completed. */
+  kept: (percent: string, left: number): string =>
     `Your score in the course: ${percent} of 100. ${left === 0 ? 'The lesson is completed.' : `Questions left to answer: ${left}.`}`,
   notKept: 'The course did not accept the score. Save it as a file.',
   name: 'Your name, if you like',

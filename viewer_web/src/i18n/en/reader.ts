@@ -1,26 +1,25 @@
-import type { ReaderTexts } from '../../language/reader-texts.js';
-
-export const reader: ReaderTexts = {
+export const reader = {
   text: 'Text',
   hide: 'Hide the text',
   contents: 'Contents',
   follow: 'Follow the text',
   followHint:
     'As you scroll, the run goes to the step that you read about. A link in the text takes it there in any case.',
-  step: (step) => `step ${step}`,
-  pin: (step, run) => `Step ${step}: ${run}`,
-  linkHere: (heading) => `Link to “${heading}”`,
+  step: (step: number): string => `step ${step}`,
+  pin: (step: number, run: string): string => `Step ${step}: ${run}`,
+  linkHere: (heading: string): string => `Link to “${heading}”`,
+  /** The name of the part that states the time, what comes first, the terms and the goals. */
   about: 'About this lesson',
   time: 'Time in class',
-  minutes: (minutes) => `${minutes} minutes, without the exercises`,
+  minutes: (minutes: number): string => `${minutes} minutes, without the exercises`,
   prerequisites: 'Prerequisites',
   noPrerequisites: 'none',
   terms: 'New terms',
   goals: 'After this lesson you can',
   sources: 'Sources',
-  chapter: (chapter) => `chapter ${chapter}`,
-  question: (number) => `Question ${number}`,
-  exercise: (number) => `Exercise ${number}`,
+  chapter: (chapter: string): string => `chapter ${chapter}`,
+  question: (number: number): string => `Question ${number}`,
+  exercise: (number: number): string => `Exercise ${number}`,
   answer: 'Answer',
   answers: 'Answers',
   copy: 'Copy',
@@ -29,7 +28,7 @@ export const reader: ReaderTexts = {
   next: 'Next lesson',
   otherLessons: 'Other lessons',
   runs: 'Runs of this lesson',
-  refused: (where, reason) =>
+  refused: (where: string, reason: string): string =>
     `The text of this lesson cannot be read${where === '' ? '' : ` at ${where}`}: ${reason}. Its runs still work.`,
   broken: 'The text of this lesson cannot be read. Its runs still work.',
 };

@@ -1,6 +1,5 @@
-import type { RegionTexts } from '../../language/region-texts.js';
-
-export const regions: RegionTexts = {
+import type { PluralForms } from '../../language/words.js';
+export const regions = {
   lists: 'Stack of lists',
   list: 'Current list',
   clip: 'clip polygon',
@@ -10,11 +9,12 @@ export const regions: RegionTexts = {
   behind: 'behind',
   nearer: 'nearer',
   visible: 'Visible regions',
+  /** How many of these there are. */
   shown: 'visible',
   area: 'area',
-  vertices: { one: 'vertex', other: 'vertices' },
+  vertices: { one: 'vertex', other: 'vertices' } as PluralForms,
   pieces: 'Pieces',
-  loops: { one: 'loop', other: 'loops' },
+  loops: { one: 'loop', other: 'loops' } as PluralForms,
   layers: {
     pixels: 'pixels',
     visible: 'visible',

@@ -1,8 +1,7 @@
-import type { SceneTexts } from '../../language/scene-texts.js';
-
-export const scene: SceneTexts = {
+export const scene = {
   scene: 'Scene',
   edit: 'Edit',
+  /** The same where some vertices lie outside the picture. */
   howOutside:
     'Drag a vertex, or an edge to move the whole polygon. Some vertices lie outside the picture: zoom out to see them.',
   how: 'Drag a vertex to move it, or an edge to move the whole polygon. Keys move, raise, add and remove vertices: see “Keys”.',
@@ -30,7 +29,7 @@ export const scene: SceneTexts = {
   pageHint: 'Saves this page as a file to send, with the run shown, this step and the bookmarks',
   pageSaved: 'Saved as a page that opens here. Send the file.',
   discard: {
-    title: (name) => `Discard the changes${name === '' ? '' : ` to “${name}”`}?`,
+    title: (name: string): string => `Discard the changes${name === '' ? '' : ` to “${name}”`}?`,
     text: 'You have changed the scene, and something else is about to take its place.',
     stay: 'Stay here',
     save: 'Save the scene and go on',
@@ -41,29 +40,34 @@ export const scene: SceneTexts = {
   background: 'background',
   polygons: 'Polygons',
   order: 'Where depths are equal, the first wins',
-  colorOf: (id) => `colour of ${id}`,
-  nameOf: (id) => `name of ${id}`,
+  colorOf: (id: string): string => `colour of ${id}`,
+  nameOf: (id: string): string => `name of ${id}`,
   needsName: 'A polygon must have a name.',
-  isTaken: (id) => `Another polygon is named ${id}.`,
-  cornersOf: (id) => `vertices of ${id}`,
-  earlier: (id) => `${id} earlier`,
-  later: (id) => `${id} later`,
-  remove: (id) => `Remove ${id}`,
-  corner: (id, n, x, y, z) => `${id}, vertex ${n}: x ${x}, y ${y}, depth ${z}`,
-  coordinate: (axis, n) => `${axis} of vertex ${n}`,
+  isTaken: (id: string): string => `Another polygon is named ${id}.`,
+  cornersOf: (id: string): string => `vertices of ${id}`,
+  earlier: (id: string): string => `${id} earlier`,
+  later: (id: string): string => `${id} later`,
+  remove: (id: string): string => `Remove ${id}`,
+  corner: (id: string, n: number, x: number, y: number, z: number): string =>
+    `${id}, vertex ${n}: x ${x}, y ${y}, depth ${z}`,
+  coordinate: (axis: 'x' | 'y' | 'z', n: number): string => `${axis} of vertex ${n}`,
   follows: 'Follows from the depths of the first three vertices',
-  split: (n) => `Add a vertex after vertex ${n}`,
-  removeCorner: (n) => `Remove vertex ${n}`,
-  refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
-  formula: (reason) => `The formula: ${reason}`,
+  split: (n: number): string => `Add a vertex after vertex ${n}`,
+  removeCorner: (n: number): string => `Remove vertex ${n}`,
+  refused: (polygon: string | null, reason: string): string =>
+    polygon === null ? reason : `${polygon}: ${reason}`,
+  /** The same for a surface's formula. */
+  formula: (reason: string): string => `The formula: ${reason}`,
   stands: 'Showing the previous run.',
-  at: (line, column) => `line ${line}, column ${column}`,
-  missing: (key) => `“${key}” is missing`,
+  /** A place in the text of a file. */
+  at: (line: number, column: number): string => `line ${line}, column ${column}`,
+  missing: (key: string): string => `“${key}” is missing`,
+  /** The library's reasons for refusal that the page words differently. */
   reasons: {
     'has an edge that no other polygon shares':
       'has an edge that no other polygon shares: this method takes closed convex bodies',
     'goes along an edge in the same direction as another polygon':
       'goes along an edge in the same direction as another polygon: this method takes closed convex bodies',
-  },
-  more: (n) => `and ${n} more; the first are shown`,
+  } as Readonly<Record<string, string>>,
+  more: (n: number): string => `and ${n} more; the first are shown`,
 };

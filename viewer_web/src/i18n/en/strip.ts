@@ -1,11 +1,11 @@
-import type { StripTexts } from '../../language/texts.js';
+import type { Range } from '../../time/range.js';
 
-export const strip: StripTexts = {
-  step: (step, length) => `Step ${step} of ${length}`,
-  windowAt: (size, at) => `window ${size} at ${at}`,
-  polygon: (id) => `polygon ${id}`,
-  row: (row) => `row ${row}`,
-  bookmark: (note) => (note === '' ? 'bookmark' : `bookmark “${note}”`),
+export const strip = {
+  step: (step: number, length: number): string => `Step ${step} of ${length}`,
+  windowAt: (size: string, at: string): string => `window ${size} at ${at}`,
+  polygon: (id: string): string => `polygon ${id}`,
+  row: (row: string): string => `row ${row}`,
+  bookmark: (note: string): string => (note === '' ? 'bookmark' : `bookmark “${note}”`),
   cases: {
     empty: 'empty',
     surrounded: 'surrounded',
@@ -38,7 +38,7 @@ export const strip: StripTexts = {
   },
   zoom: {
     part: 'Strip',
-    shown: ({ from, to }, length) =>
+    shown: ({ from, to }: Range, length: number): string =>
       from === 0 && to === length ? 'The whole run' : `Steps ${from} to ${to} of ${length}`,
     toWhole: 'Show the whole run',
     how: 'Drag along this bar to zoom in. On the strip the wheel, two fingers, + and − zoom; 0 shows the whole run.',

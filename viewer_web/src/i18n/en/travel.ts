@@ -1,6 +1,4 @@
-import type { TravelTexts } from '../../language/texts.js';
-
-export const travel: TravelTexts = {
+export const travel = {
   procedure: 'Procedure',
   over: 'Over the call',
   overBack: 'Back over the call',

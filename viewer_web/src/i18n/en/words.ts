@@ -1,11 +1,10 @@
-import type { TourTexts, VerdictTexts, WordTexts } from '../../language/word-texts.js';
 import { counted } from '../../language/words.js';
 import type { PluralForms } from '../../language/words.js';
 
 const rules = new Intl.PluralRules('en');
 const count = (n: number, forms: PluralForms): string => counted(n, forms, rules);
 
-export const words: WordTexts = {
+export const words = {
   explain: 'What these words mean',
   editions: {
     corrected: 'The procedures of the course text, with its errors corrected.',
@@ -20,31 +19,40 @@ export const words: WordTexts = {
   },
 };
 
-export const verdict: VerdictTexts = {
-  pixels: (n) => count(n, { one: 'pixel', other: 'pixels' }),
+export const verdict = {
+  pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
+  /** The same where polygons share a colour, so that a right colour may be that of a wrong polygon. */
   allColorsRight: 'all colours as in exact arithmetic',
-  someWrong: (n) => `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
-  someOther: (n) => `${count(n, { one: 'differs', other: 'differ' })} from the correct picture`,
+  someWrong: (n: number): string =>
+    `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
+  /** The same for a text that is not the corrected one: its arithmetic may be right. */
+  someOther: (n: number): string =>
+    `${count(n, { one: 'differs', other: 'differ' })} from the correct picture`,
   comparing: 'being compared with exact arithmetic…',
   notCompared: 'not compared with exact arithmetic',
   decisionsRight: 'every decision as in exact arithmetic',
+  /** The same for a text that is not the corrected one: its picture may be wrong nevertheless. */
   decisionsRightBut: 'every decision as in exact arithmetic, but this is not the corrected text',
-  decisionsWrong: (n) => `wrong decisions at ${count(n, { one: 'step', other: 'steps' })}`,
-  windows: (n) => count(n, { one: 'window', other: 'windows' }),
-  comparisons: (n) => count(n, { one: 'depth comparison', other: 'depth comparisons' }),
-  regions: (n) => count(n, { one: 'visible region', other: 'visible regions' }),
-  curves: (n) => count(n, { one: 'curve', other: 'curves' }),
+  /** The number of steps. */
+  decisionsWrong: (n: number): string =>
+    `wrong decisions at ${count(n, { one: 'step', other: 'steps' })}`,
+  windows: (n: number): string => count(n, { one: 'window', other: 'windows' }),
+  comparisons: (n: number): string =>
+    count(n, { one: 'depth comparison', other: 'depth comparisons' }),
+  regions: (n: number): string => count(n, { one: 'visible region', other: 'visible regions' }),
+  curves: (n: number): string => count(n, { one: 'curve', other: 'curves' }),
 };
 
-export const tour: TourTexts = {
+export const tour = {
+  /** What the page does, for a first visitor. */
   about: 'vidno runs hidden-surface algorithms step by step.',
   offer: 'New here? Take the tour',
   again: 'Show me around',
   next: 'Next',
   done: 'Done',
   leave: 'Leave the tour',
-  at: (n, of) => `${n} of ${of}`,
+  at: (n: number, of: number): string => `${n} of ${of}`,
   steps: [
     {
       title: 'The picture',

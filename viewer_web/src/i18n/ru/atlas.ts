@@ -1,4 +1,4 @@
-import type { AtlasTexts } from '../../language/atlas-texts.js';
+import type { AtlasTexts } from '../../language/texts.js';
 
 export const atlas: AtlasTexts = {
   title: 'Атлас ошибок',

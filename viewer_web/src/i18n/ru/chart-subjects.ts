@@ -1,4 +1,4 @@
-import type { ChartTexts } from '../../language/chart-texts.js';
+import type { ChartTexts } from '../../language/texts.js';
 
 export const subjects: ChartTexts['subjects'] = {
   scenes: {

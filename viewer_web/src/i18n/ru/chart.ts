@@ -1,5 +1,5 @@
-import type { ChartTexts } from '../../language/chart-texts.js';
-import { methodTitles } from '../../language/family-texts.js';
+import type { ChartTexts } from '../../language/texts.js';
+import { methodTitles } from '../../language/family.js';
 import { costs, errors } from './chart-axes.js';
 import { subjects } from './chart-subjects.js';
 import { family } from './family.js';

@@ -1,4 +1,4 @@
-import type { CompareTexts } from '../../language/compare-texts.js';
+import type { CompareTexts } from '../../language/texts.js';
 
 export const compare: CompareTexts = {
   compare: 'Сравнить',

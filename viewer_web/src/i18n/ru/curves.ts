@@ -1,4 +1,4 @@
-import type { CurveTexts } from '../../language/curve-texts.js';
+import type { CurveTexts } from '../../language/texts.js';
 import { short } from './numbers.js';
 
 export const curves: CurveTexts = {

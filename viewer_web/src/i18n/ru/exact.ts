@@ -1,4 +1,4 @@
-import type { ExactTexts } from '../../language/exact-texts.js';
+import type { ExactTexts } from '../../language/texts.js';
 import { causeWords, decisionWords } from '../../trace/event-table.js';
 import type { Answer } from '../../trace/values.js';
 

@@ -1,5 +1,5 @@
-import { methodRules, prefixed, variantTitles } from '../../language/family-texts.js';
-import type { FamilyTexts } from '../../language/family-texts.js';
+import { methodRules, prefixed, variantTitles } from '../../language/family.js';
+import type { FamilyTexts } from '../../language/texts.js';
 
 const names = variantTitles('ru');
 

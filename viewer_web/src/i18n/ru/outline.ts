@@ -1,4 +1,4 @@
-import type { OutlineTexts } from '../../language/outline-texts.js';
+import type { OutlineTexts } from '../../language/texts.js';
 
 export const outline: OutlineTexts = {
   title: 'Структура',

@@ -1,4 +1,4 @@
-import { editionTitles, methodTitles } from '../../language/family-texts.js';
+import { editionTitles, methodTitles } from '../../language/family.js';
 import type { PageTexts, Texts } from '../../language/texts.js';
 import { family } from './family.js';
 

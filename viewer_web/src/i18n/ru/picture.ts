@@ -1,4 +1,4 @@
-import type { PictureTexts } from '../../language/picture-texts.js';
+import type { PictureTexts } from '../../language/texts.js';
 
 export const picture: PictureTexts = {
   zoom: 'Масштаб',

@@ -1,4 +1,4 @@
-import type { PredictTexts } from '../../language/predict-texts.js';
+import type { PredictTexts } from '../../language/texts.js';
 import { point, short, windowText } from './numbers.js';
 import { places } from './page.js';
 

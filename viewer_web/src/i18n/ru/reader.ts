@@ -1,4 +1,4 @@
-import type { ReaderTexts } from '../../language/reader-texts.js';
+import type { ReaderTexts } from '../../language/texts.js';
 
 export const reader: ReaderTexts = {
   text: 'Текст',

@@ -1,4 +1,4 @@
-import type { RegionTexts } from '../../language/region-texts.js';
+import type { RegionTexts } from '../../language/texts.js';
 
 export const regions: RegionTexts = {
   lists: 'Стек списков',

@@ -1,4 +1,4 @@
-import type { SceneTexts } from '../../language/scene-texts.js';
+import type { SceneTexts } from '../../language/texts.js';
 import words from '../../trace/format-words.json' with { type: 'json' };
 import { short } from './numbers.js';
 import { traceReasons } from './trace-reasons.js';

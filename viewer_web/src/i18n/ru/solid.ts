@@ -1,4 +1,4 @@
-import type { SolidTexts } from '../../language/solid-texts.js';
+import type { SolidTexts } from '../../language/texts.js';
 
 export const solid: SolidTexts = {
   solid: '3D',

@@ -1,4 +1,4 @@
-import type { TourTexts, VerdictTexts, WordTexts } from '../../language/word-texts.js';
+import type { TourTexts, VerdictTexts, WordTexts } from '../../language/texts.js';
 import { counted } from '../../language/words.js';
 import type { PluralForms } from '../../language/words.js';
 

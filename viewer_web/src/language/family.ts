@@ -11,7 +11,7 @@ import type { Edition, NamedEdition } from '../trace/editions.js';
 import type { Method, Variant } from '../trace/events.js';
 import type { Language } from './language.js';
 
-type Names = Readonly<Record<Variant, string>>;
+export type Names = Readonly<Record<Variant, string>>;
 
 /** A text for each of some names. */
 const textsOf = <K extends string>(
@@ -58,26 +58,4 @@ export function prefixed(before: string, names: Names): Names {
   return Object.fromEntries(
     Object.entries(names).map(([variant, name]) => [variant, before + name]),
   ) as Names;
-}
-
-/** The texts of the variants of Warnock's algorithm. */
-export interface FamilyTexts {
-  /** The short names among variants, and the full names among other methods. */
-  readonly names: Names;
-  readonly methods: Names;
-  /** The input and the rule of each method. */
-  readonly rules: Readonly<Record<Method, string>>;
-  readonly panel: FamilyPanelTexts;
-}
-
-/** The texts of the panel of state. */
-export interface FamilyPanelTexts {
-  readonly level: string;
-  readonly third: string;
-  readonly surrounding: string;
-  readonly outside: string;
-  readonly sinceLevel: (level: number) => string;
-  readonly hides: string;
-  readonly ray: string;
-  readonly octants: string;
 }
