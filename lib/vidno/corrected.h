@@ -107,12 +107,6 @@ struct Corrected : CorrectedPolygons,
     static bool shows(const auto& kernel, const auto& depth, const auto& stored, const Pixel& pixel) {
         return kernel.nearer(depth, stored, pixel);
     }
-    /// L5 to L7 for the pixels of a line together, if the kernel can. Has the rule's name, so that a set with another
-    /// rule hides both.
-    static void shows(const auto& kernel, const auto& plane, const auto& depths, int first, int end) requires requires {
-        kernel.store_nearer(plane, depths, first, end);
-    }
-    { kernel.store_nearer(plane, depths, first, end); }
 };
 
 }  // namespace vidno

@@ -60,7 +60,6 @@ struct Run {
     Picture& picture;
     std::vector<Polygon<K>> polygons;
     typename K::DepthBuffer depth_buffer;
-    bool colors_follow = false;  // ShowLine left the colours to the end of the run
     double smallest_window = 1;  // the side at which a window gets one colour (W9); in the text, a pixel
 
     Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas, Set procedures = {})

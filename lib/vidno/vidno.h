@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "admitted.h"
 #include "corrected.h"
 #include "fault.h"
 #include "kernels/machine.h"
+#include "z_buffer/whole_lines.h"
 
 namespace vidno {
 
@@ -26,21 +28,27 @@ template <class Set = Corrected, Kernel K, class Trace = NoTrace>
 Picture render(Method method, const AdmittedScene& scene, K kernel, Trace trace = {}, double smallest_window = 1,
                Set set = {}) {
     constexpr auto& methods = Set::methods;
+    constexpr bool is_unseen = std::is_same_v<Set, Corrected> && std::is_same_v<Trace, NoTrace>;
+    if constexpr (is_unseen && ComparesLines<K>) {
+        if (method == Method::zbuffer) {
+            return render(method, scene, std::move(kernel), trace, smallest_window, WholeLines());
+        }
+    }
     if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
         throw std::invalid_argument("the procedure set " + std::string(Set::name) + " does not run the method " +
                                     std::string(method_names[std::size_t(method)]));
     }
     if (!(smallest_window >= 1)) throw std::invalid_argument("the smallest window is smaller than a pixel");
-    constexpr bool has_z_buffer = std::find(methods.begin(), methods.end(), Method::zbuffer) != methods.end();
+    constexpr auto z_buffers = std::count(methods.begin(), methods.end(), Method::zbuffer);
     Picture picture(scene->area, scene->background);
     try {
         Run<Set, K, Trace> run(scene, std::move(kernel), trace, picture, std::move(set));
         run.smallest_window = smallest_window;
-        if (method != Method::zbuffer) {
-            run.set.warnock(run);
-        } else if constexpr (has_z_buffer) {
-            run.set.z_buffer(run);
-            ShowLine::color_pixels(run);
+        if constexpr (z_buffers > 0) {
+            if (method == Method::zbuffer) run.set.z_buffer(run);
+        }
+        if constexpr (methods.size() > z_buffers) {
+            if (method != Method::zbuffer) run.set.warnock(run);
         }
     } catch (const Fault& fault) {
         trace.fault(fault.at, fault.reason);

@@ -47,7 +47,6 @@ TEST_CASE_TEMPLATE("ShowLine: pixel centres between the ends, the depth stepped 
     const auto& kernel = stage.run.kernel;
     Corrected::show_line(stage.run, 2, kernel.vertex({1.25, 2.5, 0}), kernel.vertex({4.75, 2.5, .875}),
                          stage.polygon());
-    Corrected::color_pixels(stage.run);
     for (int x = 0; x < 8; ++x) {
         CAPTURE(x);
         const bool painted = 1 <= x && x <= 4;
@@ -72,7 +71,6 @@ TEST_CASE_TEMPLATE("ShowLine: both ends on centres are painted, a span of one po
     show(0, 1.5, 3.5);
     show(1, 2.5, 2.5);
     show(2, 2.75, 3.25);
-    Corrected::color_pixels(stage.run);
     const auto painted = [&](int row) {
         std::vector<int> columns;
         for (int x = 0; x < 8; ++x) {
@@ -91,7 +89,6 @@ TEST_CASE_TEMPLATE("ShowLine: a line off the area paints nothing, one across it 
     const auto& kernel = stage.run.kernel;
     const auto show = [&](double x1, double z1, double x2, double z2) {
         Corrected::show_line(stage.run, 0, kernel.vertex({x1, .5, z1}), kernel.vertex({x2, .5, z2}), stage.polygon());
-        Corrected::color_pixels(stage.run);
     };
     show(0, 0, 9, 0);
     show(14, 0, 20, 0);
@@ -150,4 +147,15 @@ TEST_CASE_TEMPLATE("ZBuffer: an edge-on polygon shows nothing", K, VIDNO_KERNELS
     const AdmittedScene scene = SceneBuilder(area_16).polygon({{1, 1, 0}, {9, 9, 0}, {5, 5, 1}}).build();
     CHECK(scene->polygons[0].edge_on);
     CHECK(render(Method::zbuffer, scene, K{}) == Picture(area_16, white));
+}
+
+TEST_CASE("WholeLines: the picture is that of a run with a visitor, which follows each line") {
+    struct Visitor : NoTrace {};
+    static_assert(ComparesLines<Filtered> && ComparesLines<Grid8> && !ComparesLines<Double>);
+    RandomScenes random(7);
+    for (int i = 0; i < 200; ++i) {
+        CAPTURE(i);
+        const AdmittedScene scene = random.scene();
+        CHECK(render(Method::zbuffer, scene, Filtered{}) == render(Method::zbuffer, scene, Filtered{}, Visitor{}));
+    }
 }
