@@ -35,18 +35,7 @@ struct ProcessWindow {
             ++found.polygon_count;
             trace.count(PW4, polygon, found.polygon_count);
 
-            std::array<typename Run::Depth, 4> z;
-            for (int i = 0; i < 4; ++i) z[i] = run.depth(PW5, polygon, corners[i]);
-            int k = 0;
-            std::array<bool, 4> nearer;
-            for (int i = 0; i < 4; ++i) {
-                nearer[i] = run.kernel.nearer(z[i], nearest[i], corners[i]);
-                trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);
-                if (!nearer[i]) continue;
-                nearest[i] = z[i];
-                ++k;
-            }
-            trace.nearer(PW6, polygon, nearer, k);
+            const int k = compare_corners(run, polygon, corners, nearest);
             if (run.set.uncovers(k)) {
                 found.has_surround = false;
                 trace.uncover(PW7, polygon);
@@ -69,6 +58,27 @@ struct ProcessWindow {
         }
         active_polygons.erase(kept, active_polygons.end());
         return found;
+    }
+
+private:
+    /// PW5 and PW6: at how many corners is the polygon nearer than those before it? There it is the nearest from now on.
+    template <class Run>
+    static int compare_corners(Run& run, const auto& polygon, const auto& corners,
+                               std::array<typename Run::Depth, 4>& nearest) {
+        using enum Line;
+        std::array<typename Run::Depth, 4> z;
+        for (int i = 0; i < 4; ++i) z[i] = run.depth(PW5, polygon, corners[i]);
+        int k = 0;
+        std::array<bool, 4> nearer;
+        for (int i = 0; i < 4; ++i) {
+            nearer[i] = run.kernel.nearer(z[i], nearest[i], corners[i]);
+            run.trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);
+            if (!nearer[i]) continue;
+            nearest[i] = z[i];
+            ++k;
+        }
+        run.trace.nearer(PW6, polygon, nearer, k);
+        return k;
     }
 };
 
