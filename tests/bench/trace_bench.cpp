@@ -52,7 +52,7 @@ BENCHMARK(record<zbuffer>)->Unit(benchmark::kMillisecond);
 template <Method method>
 std::vector<Event> events_of(const AdmittedScene& scene) {
     std::vector<Event> events;
-    HeardBy keep([&](const EventView& event) { events.push_back(event.copy()); });
+    FunctionSink keep([&](const EventView& event) { events.push_back(event.copy()); });
     run(method, scene, keep);
     return events;
 }

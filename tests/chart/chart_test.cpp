@@ -281,14 +281,14 @@ TEST_CASE("JSON and CSV agree for any name of the scene") {
     const std::vector<SceneChart> charts{charted(scene)};
     const json chart = json::parse(chart_json(charts));
     CHECK(chart["format"] == "vidno-chart/1");
-    const json& told = chart["scenes"][0];
-    CHECK(told["name"] == scene->name);
-    CHECK(told["kind"] == "ordinary");
-    CHECK(told["pixels"] == 256);
-    CHECK(told["scene"] == json::parse(scene_json(scene)));
-    CHECK(told["runs"].size() == ways_to_draw(scene).size());
+    const json& reported = chart["scenes"][0];
+    CHECK(reported["name"] == scene->name);
+    CHECK(reported["kind"] == "ordinary");
+    CHECK(reported["pixels"] == 256);
+    CHECK(reported["scene"] == json::parse(scene_json(scene)));
+    CHECK(reported["runs"].size() == ways_to_draw(scene).size());
 
-    const json& first = told["runs"][0];
+    const json& first = reported["runs"][0];
     CHECK(first["method"] == "warnock");
     CHECK(first["kernel"] == "float");
     CHECK(first["knob"].is_null());

@@ -127,9 +127,9 @@ TEST_CASE("Chart of a surface: no run is better than one on the front, and the f
 TEST_CASE("Chart of a surface: JSON, CSV, and JSON read again") {
     const std::vector<SurfaceChart> charts{charted(peak)};
     const std::string text = chart_json(charts);
-    const json told = json::parse(text);
-    CHECK(told["format"] == "vidno-chart/1");
-    const json& surface = told["surfaces"][0];
+    const json reported = json::parse(text);
+    CHECK(reported["format"] == "vidno-chart/1");
+    const json& surface = reported["surfaces"][0];
     CHECK(surface["name"] == "Peak");
     CHECK(surface["columns"] == 99);
     CHECK(surface["surface"] == json::parse(peak));

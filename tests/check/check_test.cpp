@@ -23,7 +23,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// A judged kernel, and what its judge and surveyor heard.
+/// A judged kernel, and what its judge and surveyor reported.
 struct Court {
     std::vector<Verdict> verdicts;
     double off = 0;
@@ -65,8 +65,8 @@ Read read_back(const std::string& trace) {
         }
         event->visit([&](auto e) {
             if constexpr (requires { e.decides; }) {
-                read.truths += e.told.exact ? 1 : 0;
-                e.told = {};
+                read.truths += e.checked.exact ? 1 : 0;
+                e.checked = {};
             }
             text.line(lines, e);
         });
@@ -244,11 +244,11 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
                             return read_back(text.str());
                         };
                         const Read plain = traced(false);
-                        const Read told = traced(true);
-                        CHECK(told.plain == plain.plain);
+                        const Read reported = traced(true);
+                        CHECK(reported.plain == plain.plain);
                         CHECK(plain.truths + plain.disagreements == 0);
-                        truths += told.truths;
-                        disagreements += told.disagreements;
+                        truths += reported.truths;
+                        disagreements += reported.disagreements;
                     }
                 }
             }

@@ -203,13 +203,13 @@ TEST_CASE(
         for (const std::string_view kernel : {"exact", "filtered"}) {
             std::vector<std::optional<CurveAtColumn>> seen_at;  // by the step
             int curve = 0;
-            HeardBy sink([&](const EventView& event) {
+            FunctionSink sink([&](const EventView& event) {
                 if (const auto* begun = event.get_if<event::Curve>()) curve = begun->curve;
                 const auto* seen = event.get_if<event::Visibility>();
                 seen_at.push_back(seen ? std::optional(CurveAtColumn{curve, seen->x}) : std::nullopt);
             });
             FloatingHorizonRequest request{*kernel_named(kernel), Edition::corrected, scene, Detail::signs, &sink};
-            told_floating_horizon(request);
+            traced_floating_horizon(request);
             FindingList list(Procedure::floating_horizon, scene->area, 0);
             find_in(request, list);
             std::set<CurveAtColumn> listed;

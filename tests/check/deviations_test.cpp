@@ -54,10 +54,12 @@ struct Witness {
     }
 
     /// The whole trace of the run, without its header.
-    std::string told(Edition edition) const { return told(edition, of_curves() ? Method{} : method_of_polygons()); }
+    std::string reported(Edition edition) const {
+        return reported(edition, of_curves() ? Method{} : method_of_polygons());
+    }
 
     /// The same by another method of polygons.
-    std::string told(Edition edition, Method by) const {
+    std::string reported(Edition edition, Method by) const {
         std::string text;
         const auto write = [&](std::string_view part) { text += part; };
         const std::string scene_text = entry["scene"].dump();
@@ -75,13 +77,13 @@ struct Witness {
 };
 
 bool tells_apart(const Witness& witness, Edition one, Edition other) {
-    return witness.runs(one) && witness.runs(other) && witness.told(one) != witness.told(other);
+    return witness.runs(one) && witness.runs(other) && witness.reported(one) != witness.reported(other);
 }
 
 /// The same by a method that is not always that of the witness.
 bool tells_apart(const Witness& witness, Method by, Edition one, Edition other) {
     const auto runs = [&](Edition edition) { return witness.kernel.choice->runs(by, edition); };
-    return !witness.of_curves() && runs(one) && runs(other) && witness.told(one, by) != witness.told(other, by);
+    return !witness.of_curves() && runs(one) && runs(other) && witness.reported(one, by) != witness.reported(other, by);
 }
 
 bool share_a_method(Deviation one, Deviation other) {

@@ -37,7 +37,7 @@ namespace {
 
 struct Entry {
     std::string name;
-    json told;
+    json reported;
     std::optional<AnyScene> scene;  // none: a separate test shows the failure
 };
 
@@ -51,7 +51,7 @@ std::vector<Entry> atlas() {
     for (const auto& file : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons/failures")) {
         if (file.path().extension() != ".json") continue;
         Entry entry{file.path().stem().string(), json::parse(read_file(file.path().string())), {}};
-        if (entry.told.contains("scene")) entry.scene = scene_in(entry.told["scene"].dump(), entry.name);
+        if (entry.reported.contains("scene")) entry.scene = scene_in(entry.reported["scene"].dump(), entry.name);
         entries.push_back(std::move(entry));
     }
     return entries;
@@ -78,7 +78,8 @@ RunRequest request_of(const json& run, const AdmittedScene& scene) {
 /// The signs of failure that a run shows.
 class Shown {
 public:
-    Shown(const json& told, const AdmittedScene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
+    Shown(const json& reported, const AdmittedScene& scene)
+        : request_(request_of(reported, scene)), picture_(run(request_)) {
         const TraceHeader header{request_.method, request_.edition, request_.kernel.name(), Detail::signs, scene};
         TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
         request_.sink = &writer;
@@ -283,7 +284,7 @@ TEST_CASE("Failures: an entry without a scene has a test of its name") {
     for (const Entry& entry : atlas()) {
         if (entry.scene) continue;
         CAPTURE(entry.name);
-        CHECK(tests.find("TEST_CASE(\"" + entry.told.at("test").get<std::string>() + "\")") != std::string::npos);
+        CHECK(tests.find("TEST_CASE(\"" + entry.reported.at("test").get<std::string>() + "\")") != std::string::npos);
     }
 }
 

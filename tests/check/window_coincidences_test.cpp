@@ -40,7 +40,7 @@ public:
             add(*pending_);
             pending_.reset();
         }
-        event.visit([&](const auto& told) { hear(told); });
+        event.visit([&](const auto& reported) { hear(reported); });
     }
 
 private:
@@ -167,7 +167,7 @@ private:
         if (call.of == Procedure::surround_test) begins_surround_test_ = true;
     }
     void hear_octants(const PolygonPlace& polygon, int edge) {
-        if (edge < next_edge_) return;  // heard before its orientation
+        if (edge < next_edge_) return;  // reported before its orientation
         next_edge_ = edge + 1;
         const auto [from, to] = edge_of(polygon, edge);
         for (const auto& [x, y] : {from, to}) {
@@ -289,11 +289,11 @@ private:
     // The depths of the edges of an edge-on polygon at the centre of the window, in turn. The next event follows their
     // comparison.
 
-    void hear(const event::EdgeDepth& told) {
-        hear_edges_to(told.polygon, told.edge + 1);
+    void hear(const event::EdgeDepth& reported) {
+        hear_edges_to(reported.polygon, reported.edge + 1);
         const Place centre{Rational(window_.x) + Rational(window_.width) / 2,
                            Rational(window_.y) + Rational(window_.height) / 2};
-        const auto z = depth_on_edge(at(told.polygon), told.edge, centre);
+        const auto z = depth_on_edge(at(reported.polygon), reported.edge, centre);
         REQUIRE(z);
         if (nearest_edge_ && *z == *nearest_edge_) pending_ = Coincidence::equal_depths;
         if (!nearest_edge_ || *z > *nearest_edge_) nearest_edge_ = z;
@@ -361,15 +361,15 @@ private:
         const auto [top, bottom] = std::minmax_element(outline.begin(), outline.end(), by_y);
         const auto is_row = [&](const Rational& y) { return is_centre(y, area.y, area.bottom()); };
         if (is_row(top->second) || is_row(bottom->second)) steps[Coincidence::on_pixel_centre].insert(rows_[1]);
-        std::size_t told = 1;
+        std::size_t reported = 1;
         for (int row = area.y; row < area.bottom(); ++row) {
             const auto ends = ends_on_row(outline, row);
             if (!ends) continue;
             const auto is_column = [&](const Rational& x) { return is_centre(x, area.x, area.right()); };
             if (is_column(ends->first) || is_column(ends->second)) {
-                steps[Coincidence::on_pixel_centre].insert(rows_.at(told));
+                steps[Coincidence::on_pixel_centre].insert(rows_.at(reported));
             }
-            ++told;
+            ++reported;
         }
     }
 

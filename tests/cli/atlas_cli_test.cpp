@@ -45,7 +45,7 @@ std::map<std::string, Stated> table() {
 
 struct Entry {
     std::string file;
-    json told;
+    json reported;
     Stated stated;
 };
 
@@ -53,7 +53,7 @@ std::vector<Entry> entries_with_scenes() {
     std::vector<Entry> entries;
     for (const auto& [name, stated] : table()) {
         Entry entry{atlas + name, json::parse(text_of(atlas + name)), stated};
-        if (entry.told.contains("scene")) entries.push_back(entry);
+        if (entry.reported.contains("scene")) entries.push_back(entry);
     }
     return entries;
 }
@@ -82,19 +82,19 @@ TEST_CASE("Atlas: trace runs each entry as it fails, and prints title, step, wha
     CHECK(entries.size() >= 52);
     for (const auto& entry : entries) {
         const auto& file = entry.file;
-        const auto& told = entry.told;
+        const auto& reported = entry.reported;
         const auto& stated = entry.stated;
         CAPTURE(file);
         const auto traced = program("trace " + file + " --max-events 20000 -o " + work.file("run.jsonl"));
         CHECK(traced.status <= 1);
-        CHECK(traced.text.find(file + ": " + told["title"]["en"].get<std::string>() + '\n') != std::string::npos);
-        CHECK(traced.text.find(file + ": remedy: " + told["remedy"]["en"].get<std::string>() + '\n') !=
+        CHECK(traced.text.find(file + ": " + reported["title"]["en"].get<std::string>() + '\n') != std::string::npos);
+        CHECK(traced.text.find(file + ": remedy: " + reported["remedy"]["en"].get<std::string>() + '\n') !=
               std::string::npos);
         const std::string step = stated.step.empty() ? "" : "step " + stated.step + ": ";
         CHECK_MESSAGE(traced.text.find(file + ": " + step + stated.there + '\n') != std::string::npos, traced.text);
         const std::string trace = work.read("run.jsonl");
         const json header = json::parse(trace.substr(0, trace.find('\n')));
-        for (const std::string part : {"method", "kernel", "edition"}) CHECK(header[part] == told["fails"][part]);
+        for (const std::string part : {"method", "kernel", "edition"}) CHECK(header[part] == reported["fails"][part]);
     }
 }
 
@@ -103,15 +103,16 @@ TEST_CASE("Atlas: render paints the pixel of each entry otherwise than the remed
     int pixels = 0;
     for (const auto& entry : entries_with_scenes()) {
         const auto& file = entry.file;
-        const auto& told = entry.told;
-        if (!told["shows"].contains("pixel")) continue;
+        const auto& reported = entry.reported;
+        if (!reported["shows"].contains("pixel")) continue;
         CAPTURE(file);
         REQUIRE_MESSAGE(program("render " + file + " -o " + work.file("fails.ppm")).status <= 1,
                         "it may lose something");
-        REQUIRE(program("render " + file + options_of(told["holds"]) + " -o " + work.file("holds.ppm")).status == 0);
+        REQUIRE(program("render " + file + options_of(reported["holds"]) + " -o " + work.file("holds.ppm")).status ==
+                0);
         const auto pixel = [&](const std::string& picture) {
-            const json& at = told["shows"]["pixel"];
-            return pixel_of(work.read(picture), told["scene"]["window"], at[0], at[1]);
+            const json& at = reported["shows"]["pixel"];
+            return pixel_of(work.read(picture), reported["scene"]["window"], at[0], at[1]);
         };
         CHECK(pixel("fails.ppm") != pixel("holds.ppm"));
         ++pixels;
@@ -178,7 +179,7 @@ TEST_CASE("Atlas: all errors in a new entry are reported at once, with their pla
                    " \"scene\": {\"polygons\": [{\"vertices\": [[0, 0, 0], [4, 0, 0], [0, 4, 2]]}]},\n"
                    " \"fails\": {\"method\": \"warnock\", \"kernel\": \"half\", \"edition\": \"printed\"},\n"
                    " \"shows\": {\"pixel\": [0]}}\n");
-    const std::string told = program("trace " + file + " -o " + work.file("a.jsonl")).text;
+    const std::string reported = program("trace " + file + " -o " + work.file("a.jsonl")).text;
     std::string expected = "vidno: ";
     for (const std::string fault :
          {"line 1, column 1: \"holds\" is missing", "line 1, column 11: /title: \"ru\" is missing",
@@ -188,5 +189,5 @@ TEST_CASE("Atlas: all errors in a new entry are reported at once, with their pla
           "line 5, column 21: /shows/pixel: not two whole numbers"}) {
         expected += file + ": " + fault + '\n';
     }
-    CHECK(told == expected);
+    CHECK(reported == expected);
 }

@@ -1155,10 +1155,10 @@ TEST_CASE("stability: a failing trial of a merged file fails again alone, and it
     REQUIRE(
         program("stability --seed 3 --family edges --kernel float --method zbuffer --count 20 -o " + results).status ==
         0);
-    const std::string told = program("stability --merge " + results).text;
-    const std::size_t at = told.find("edges:moved-");
+    const std::string reported = program("stability --merge " + results).text;
+    const std::size_t at = reported.find("edges:moved-");
     REQUIRE(at != std::string::npos);
-    const std::string trial = told.substr(at, told.find('\n', at) - at);
+    const std::string trial = reported.substr(at, reported.find('\n', at) - at);
     const auto again = program("stability --merge " + results + " --trial " + trial + " -o " + scene);
     CHECK(again.status == 0);
     CHECK(again.text.starts_with("float     zbuffer          wrong pixels "));

@@ -69,7 +69,7 @@ TEST_CASE("The calls of the header for students have the levels and lines of the
     const auto events = events_by_name();
     const std::regex row(R"(\n\| (\**)(`\w+\(.*?\)`)\** \| ([wps](?:, [wps])*) \| (.*?) \| ([A-Z0-9a-z, ]+) \|)");
     const std::regex call(R"(`(\w+)\()");
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (std::sregex_iterator found(readme.begin(), readme.end(), row), end; found != end; ++found) {
         const std::string calls = (*found)[2], levels = (*found)[3], says = (*found)[4];
         const LineSet lines = lines_named((*found)[5]);
@@ -86,14 +86,14 @@ TEST_CASE("The calls of the header for students have the levels and lines of the
                 known_levels += (known_levels.empty() ? "" : ", ") + std::string(1, level);
             const bool is_bold = (*found)[1].length() > 0 || says.find("**result**") != std::string::npos;
             CHECK(is_bold == event.result_of.has_value());
-            told.insert(name);
+            reported.insert(name);
         }
         CHECK(levels == known_levels);
         for (const auto name : names_of(lines)) {
             CHECK_MESSAGE(known.has(line_named(name)), name);
         }
     }
-    CHECK(told.size() > 40);
+    CHECK(reported.size() > 40);
 }
 
 TEST_CASE("The fields of events: names of values, ranges, lists and words") {

@@ -254,7 +254,7 @@ CheckedEvents checked(const Surface& surface, const Choice& choice) {
         } else if (const auto* flag = event.get_if<event::Visibility>()) {
             found.flags.push_back(*flag);
             event::Visibility plain = *flag;
-            plain.told = {};
+            plain.checked = {};
             found.plain.push_back(plain);
         } else {
             found.plain.push_back(event);
@@ -285,10 +285,10 @@ TEST_CASE("Curves: a checked run is the same run, with the truth beside every fl
         CAPTURE(name_of(choice.edition));
         const CheckedEvents found = checked(surface, choice);
         CHECK(text_of(found.plain) == text_of(events_of(traced(surface, choice, Detail::signs).text)));
-        for (const auto& flag : found.flags) CHECK(flag.told.exact.has_value());
+        for (const auto& flag : found.flags) CHECK(flag.checked.exact.has_value());
         // Only filtered reports what decided, and only where there was a horizon to compare with.
         const auto by = std::count_if(found.flags.begin(), found.flags.end(),
-                                      [](const auto& flag) { return flag.told.by.has_value(); });
+                                      [](const auto& flag) { return flag.checked.by.has_value(); });
         CHECK((by > 0) == (choice.kernel == "filtered"));
     }
 }
@@ -304,7 +304,7 @@ TEST_CASE("Curves: exact and filtered decide as the rule says, and their check f
             REQUIRE(found.flags.size() == rule.size());
             for (std::size_t j = 0; j < rule.size(); ++j) {
                 CHECK(is_visible(found.flags[j].decision()) == rule[j]);
-                CHECK(found.flags[j].told.exact->answer == found.flags[j].decision());
+                CHECK(found.flags[j].checked.exact->answer == found.flags[j].decision());
             }
             CHECK(found.disagreements == 0);
             CHECK_FALSE(check_run(FloatingHorizonRequest{*kernel_named(kernel), Edition::corrected, surface.curves})
@@ -323,12 +323,12 @@ TEST_CASE("Curves: beside a wrong decision under double, the truth is that of th
         const CheckedEvents found = checked(surface, {"double", Edition::corrected});
         REQUIRE(found.flags.size() == rule.size());
         int wrong = 0;
-        for (const auto& flag : found.flags) wrong += flag.told.exact->answer == flag.decision() ? 0 : 1;
+        for (const auto& flag : found.flags) wrong += flag.checked.exact->answer == flag.decision() ? 0 : 1;
         CHECK(wrong == found.wrong_flags);
         wrong_runs += wrong > 0 ? 1 : 0;
         // Along the path that was taken; up to the first wrong decision this is the rule's own path.
         for (std::size_t j = 0; j < rule.size() && found.disagreements == found.wrong_flags; ++j) {
-            const Answer truth = *found.flags[j].told.exact->answer;
+            const Answer truth = *found.flags[j].checked.exact->answer;
             CHECK(is_visible(truth) == rule[j]);
             if (truth != found.flags[j].decision()) break;
         }

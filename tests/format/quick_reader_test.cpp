@@ -86,11 +86,11 @@ std::string spoiled(std::string text, std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("Every line of a trace is read quickly, as the tree reads it") {
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const auto& [context, names, events] : traces_of_all_methods()) {
         for (std::size_t i = 0; i < events.size(); ++i) {
             const std::string& line = events[i];
-            const bool is_new = told.insert(line.substr(6, line.find('"', 6) - 6)).second;
+            const bool is_new = reported.insert(line.substr(6, line.find('"', 6) - 6)).second;
             if (!is_new && i % thinning != 0) continue;
             CAPTURE(line);
             const auto [is_quick, agrees] = agreement_on_event(line, context, names);

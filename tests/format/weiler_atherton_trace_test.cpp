@@ -63,7 +63,7 @@ TEST_CASE("Regions: the parts of two polygons that pierced each other are not cu
     for (const std::string kernel : {"float", "double", "filtered", "exact"}) {
         CAPTURE(kernel);
         int pierced = 0, faults = 0;
-        HeardBy sink([&](const EventView& event) {
+        FunctionSink sink([&](const EventView& event) {
             if (event.get_if<event::Pierce>()) ++pierced;
             if (event.get_if<event::Fault>()) ++faults;
         });

@@ -67,7 +67,7 @@ Judgement with_changed(const AdmittedScene& scene, Method method, auto change, D
 }
 
 std::string wrong_of(const Judgement& judgement) {
-    return judgement.wrong ? judgement.wrong->at + ": " + judgement.wrong->told + ": " + judgement.wrong->right
+    return judgement.wrong ? judgement.wrong->at + ": " + judgement.wrong->claimed + ": " + judgement.wrong->right
                            : "right";
 }
 
@@ -430,13 +430,13 @@ TEST_CASE("Judging Weiler and Atherton: a changed claim is the one that the judg
 
 namespace {
 
-using ToldLoop = std::vector<ValuePoint>;
+using ClaimedLoop = std::vector<ValuePoint>;
 
-ToldLoop rectangle(double left, double top, double right, double bottom) {
+ClaimedLoop rectangle(double left, double top, double right, double bottom) {
     return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-ToldLoop reversed(ToldLoop loop) {
+ClaimedLoop reversed(ClaimedLoop loop) {
     std::reverse(loop.begin(), loop.end());
     return loop;
 }
@@ -447,9 +447,9 @@ TEST_CASE(
     "Judging Weiler and Atherton: of a visible region the judge tells what it covers, how often, and its direction") {
     // A and B are squares of area 9, side by side.
     const AdmittedScene scene = SceneBuilder({0, 0, 8, 4}).quad(.5, .5, 3.5, 3.5, 0).quad(4.5, .5, 7.5, 3.5, 0).build();
-    const ToldLoop a = rectangle(.5, .5, 3.5, 3.5), b = rectangle(4.5, .5, 7.5, 3.5), hole = rectangle(1, 1, 3, 3);
+    const ClaimedLoop a = rectangle(.5, .5, 3.5, 3.5), b = rectangle(4.5, .5, 7.5, 3.5), hole = rectangle(1, 1, 3, 3);
     struct Case {
-        const char* told;
+        const char* reported;
         std::vector<std::pair<int, RegionLoops>> shown;  // a polygon and a visible region of it
         const char* wrong;
     };
@@ -492,7 +492,7 @@ TEST_CASE(
          "WA8: the visible region of A runs counterclockwise around an area of 2.25"},
     };
     for (const Case& each : cases) {
-        CAPTURE(each.told);
+        CAPTURE(each.reported);
         StudentRun run = run_of(scene, Method::weiler_atherton, "double", Edition::corrected, Detail::windows);
         std::erase_if(run.events, [](const Event& e) { return e.get_if<event::Show>() || e.get_if<event::Paint>(); });
         for (const auto& [polygon, region] : each.shown)
@@ -509,7 +509,7 @@ TEST_CASE("Judging Weiler and Atherton: the parts of a piece are those inside an
     const auto wrong = [&](auto change) {
         return wrong_of(with_changed<event::Clipped>(scene, Method::weiler_atherton, change));
     };
-    const ToldLoop b = rectangle(4, 4, 12, 12);
+    const ClaimedLoop b = rectangle(4, 4, 12, 12);
     CHECK(wrong([&](event::Clipped& e) { return e.inside = {rectangle(4, 4, 12, 8)}, true; }) ==
           "WA5: of the piece of A an area of 32 lies inside of that of B: its area there is 64, and 32 of the told "
           "area is wrong");
@@ -856,7 +856,7 @@ TEST_CASE("Judging: a program that says float is judged by its numbers") {
     // z = x / 6, for example 1/12 at the first centre, which no float has.
     const AdmittedScene scene =
         SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {3, 0, .5}, {3, 3, .5}, {0, 3, 0}}).build();
-    const auto told = [&](auto depth) {
+    const auto reported = [&](auto depth) {
         const auto change = [&](event::Pixel& e) { return e.z = depth(e.z.number), false; };
         return with_changed<event::Pixel>(run_of(scene, Method::zbuffer, "float", Edition::corrected, Detail::signs),
                                           change);
@@ -864,12 +864,12 @@ TEST_CASE("Judging: a program that says float is judged by its numbers") {
     const auto symptom = [](const Judgement& judgement) {
         return judgement.wrong ? std::optional(judgement.wrong->symptom) : std::nullopt;
     };
-    CHECK_FALSE(symptom(told([](double z) { return z; })));
-    CHECK(symptom(told([](double z) { return z + 4e-3; })) == Symptom::depth);
-    CHECK(symptom(told([](double z) { return double(float(z + 4e-3)); })) == Symptom::depth);
-    CHECK_FALSE(symptom(told([](double z) { return double(float(z + 0x1p-21)); })));
+    CHECK_FALSE(symptom(reported([](double z) { return z; })));
+    CHECK(symptom(reported([](double z) { return z + 4e-3; })) == Symptom::depth);
+    CHECK(symptom(reported([](double z) { return double(float(z + 4e-3)); })) == Symptom::depth);
+    CHECK_FALSE(symptom(reported([](double z) { return double(float(z + 0x1p-21)); })));
     // A float may be off by what 2^6 roundings add up to, but a number that is no float was not rounded to one.
-    CHECK(symptom(told([](double z) { return z + 0x1p-24 * (1 + 0x1p-20); })) == Symptom::depth);
+    CHECK(symptom(reported([](double z) { return z + 0x1p-24 * (1 + 0x1p-20); })) == Symptom::depth);
 }
 
 TEST_CASE("Judging: numbers that happen to be floats do not make a program one in float") {

@@ -31,7 +31,7 @@ Number depth_in(const Polygon& polygon, Number x, Number y) {
     return Number(o.z) - (a * (x - Number(o.x)) + b * (y - Number(o.y))) / c;
 }
 
-double told_depth(const Polygon& polygon, double x, double y) {
+double reported_depth(const Polygon& polygon, double x, double y) {
     if (is("float")) return double(depth_in<float>(polygon, float(x), float(y)));
     if (is("longdouble")) return double(depth_in<long double>(polygon, x, y));
     return depth_in<double>(polygon, x, y);
@@ -125,7 +125,8 @@ private:
                     right = std::min(right, double(area_.x + area_.width));
                 }
                 const double off = is("lie_line") ? 0.0625 : 0;
-                trace_.line(row, left, told_depth(polygon, left, y), right + off, told_depth(polygon, right + off, y));
+                trace_.line(row, left, reported_depth(polygon, left, y), right + off,
+                            reported_depth(polygon, right + off, y));
             }
             for (int k = 0; k < area_.width - int(is("column_lost")); ++k)
                 draw_pixel(i, part, area_.x + (is("leftward") ? area_.width - 1 - k : k), row);
@@ -137,7 +138,7 @@ private:
         const Polygon& polygon = scene_.polygons[std::size_t(i)];
         const double at = is("corners") ? 0 : 0.5;
         if (!contains(part, x + at, row + at)) return;
-        double z = told_depth(polygon, x + at, row + at);
+        double z = reported_depth(polygon, x + at, row + at);
         if (is("bias")) z += 4e-3 * i;
         if (is("bias") && is("float")) z = double(float(z));
         if (is("small_bias")) z += std::ldexp(1.0, -24);
@@ -148,8 +149,8 @@ private:
         tell(x, row, z + (is("lie_depth") ? 1e-4 : 0), stored, shown, stored);
         if (shown) stored = z;
     }
-    void tell(int x, int row, double z, double told_stored, bool shown, double& stored) {
-        trace_.pixel(x, row, z, told_stored, shown);
+    void tell(int x, int row, double z, double reported_stored, bool shown, double& stored) {
+        trace_.pixel(x, row, z, reported_stored, shown);
         if (shown) stored = z;
     }
 
@@ -258,7 +259,7 @@ private:
             const bool inside = contains(at(i).vertices, x, y);
             if (is("tests")) trace_.surround(i, x, y, is("lie_inside") ? !inside : inside);
             if (!inside) continue;
-            const double z = told_depth(at(i), x, y) + (is("bias") ? 4e-3 * i : 0);
+            const double z = reported_depth(at(i), x, y) + (is("bias") ? 4e-3 * i : 0);
             trace_.depth(i, x, y, z + (is("lie_depth") ? 1e-4 : 0));
             const bool nearer = is("farthest") ? nearest == -1.5 || z < nearest : z > nearest;
             if (is("compares")) trace_.compare(i, z, nearest, is("lie_nearer") ? !nearer : nearer);

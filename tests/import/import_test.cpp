@@ -115,7 +115,7 @@ std::vector<std::string> ids(const AdmittedScene& scene) {
     return out;
 }
 
-std::vector<std::string> told(const std::vector<Loss>& losses) {
+std::vector<std::string> reported(const std::vector<Loss>& losses) {
     std::vector<std::string> out;
     for (const auto& [what, where] : losses) out.push_back(where + ": " + what);
     return out;
@@ -316,7 +316,7 @@ TEST_CASE("colours of materials, vertices and faces come into the scene") {
         const auto [scene, report, losses] = import_mesh(bytes, file, from_the_front(), beside);
         REQUIRE(scene->polygons.size() == 1);
         CHECK(scene->polygons[0].color == color);
-        CHECK(told(losses).empty());
+        CHECK(reported(losses).empty());
     }
 }
 
@@ -335,7 +335,7 @@ TEST_CASE("import names what a scene cannot keep, with its line") {
     };
     struct Losing {
         std::string file, bytes;
-        std::vector<std::string> told;
+        std::vector<std::string> reported;
     };
     const std::vector<Losing> table{
         {"t.obj", points + "l 1 2\np 1\n" + face, {"line 4: left out: lines and points (2 times, here first)"}},
@@ -372,7 +372,7 @@ TEST_CASE("import names what a scene cannot keep, with its line") {
     for (const auto& [file, bytes, lost] : table) {
         const auto& shown_bytes = bytes;
         CAPTURE(shown_bytes);
-        CHECK(told(import_mesh(bytes, file, from_the_front(), beside).losses) == lost);
+        CHECK(reported(import_mesh(bytes, file, from_the_front(), beside).losses) == lost);
     }
 }
 
@@ -489,8 +489,8 @@ TEST_CASE("faces that cannot be shown are dropped and counted") {
                                                      "d.obj", from_the_front());
     CHECK(ids(scene) == std::vector<std::string>{"0"});
     CHECK(report == "d.obj: 5 faces read, 3 dropped: 2 without area, 1 crossing themselves; 1 not in view");
-    CHECK(told(losses) == std::vector<std::string>{"line 10: left out: faces without area (2 times, here first)",
-                                                   "line 12: left out: faces that cross themselves"});
+    CHECK(reported(losses) == std::vector<std::string>{"line 10: left out: faces without area (2 times, here first)",
+                                                       "line 12: left out: faces that cross themselves"});
 }
 
 TEST_CASE("files with false counts are refused before memory is reserved") {

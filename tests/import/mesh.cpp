@@ -14,7 +14,7 @@ namespace {
 using namespace vidno;
 using nlohmann::json;
 
-json told(const std::string& file) {
+json reported(const std::string& file) {
     MeshSoup soup = read_mesh_soup(read_file(file), file, files_beside(file));
     const auto colors = face_colors(soup);
     json out{{"points", json::array()},
@@ -39,7 +39,7 @@ json told(const std::string& file) {
 int main() {
     for (std::string file; std::getline(std::cin, file);) {
         try {
-            std::cout << told(file) << '\n';
+            std::cout << reported(file) << '\n';
         } catch (const Refused& refused) {
             std::cout << json{{"refused", std::string(refused.what()).substr(file.size() + 2)}} << '\n';
         }

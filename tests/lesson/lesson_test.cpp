@@ -512,17 +512,17 @@ TEST_CASE("Every step of a run can be pinned") {
         CAPTURE(method);
         LessonRun run;
         run.method = method;
-        std::vector<std::string> told;
+        std::vector<std::string> reported;
         EventLines lines;
         trace_run(scene, run, [&](std::string_view text) {
-            lines.take(text, [&](std::uint64_t, std::string_view line) { told.emplace_back(line); });
+            lines.take(text, [&](std::uint64_t, std::string_view line) { reported.emplace_back(line); });
         });
-        REQUIRE(told.size() > 200);
-        for (std::uint64_t step = 1; step <= told.size(); step += 17 * test::thinning) {
+        REQUIRE(reported.size() > 200);
+        for (std::uint64_t step = 1; step <= reported.size(); step += 17 * test::thinning) {
             const json written = json::parse(pin_of_step(scene, run, step));
             const Pin pin = pin_to(written["find"].get<std::vector<json>>());
             PinSearch search(pin);
-            for (std::size_t i = 0; i < told.size(); ++i) search.hear(i + 1, told[i]);
+            for (std::size_t i = 0; i < reported.size(); ++i) search.hear(i + 1, reported[i]);
             CHECK_MESSAGE(search.step() == step, written.dump());
         }
     }

@@ -14,9 +14,9 @@ using namespace vidno::test;
 
 namespace {
 
-struct HearDepth : NoTrace {
+struct KeepDepth : NoTrace {
     double* last;
-    explicit HearDepth(double& place) : last(&place) {}
+    explicit KeepDepth(double& place) : last(&place) {}
     void pixel(Line, int, int, const auto& z, const auto&, bool) { *last = double(z); }
 };
 
@@ -64,8 +64,8 @@ TEST_CASE("Depths closer than a step are equal, and the first polygon wins") {
 }
 
 TEST_CASE("The trace reports the depth that the buffer stores") {
-    double told = 0;
+    double reported = 0;
     const AdmittedScene scene = SceneBuilder({0, 0, 1, 1}).quad(-1, -1, 2, 2, 0).build();
-    render(Method::zbuffer, scene, DepthBits(2), HearDepth(told));
-    CHECK(told == doctest::Approx(1 / 3.));
+    render(Method::zbuffer, scene, DepthBits(2), KeepDepth(reported));
+    CHECK(reported == doctest::Approx(1 / 3.));
 }

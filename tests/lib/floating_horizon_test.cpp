@@ -328,10 +328,10 @@ namespace {
 
 /// The labels of the listing's lines, in the order of the run's events.
 struct HearLabels : NoTrace {
-    std::string* heard;
-    explicit HearLabels(std::string& to) : heard(&to) {}
+    std::string* reported;
+    explicit HearLabels(std::string& to) : reported(&to) {}
 
-    void hear(Line at) { *heard += std::string(line_names[std::size_t(at)]) + ' '; }
+    void hear(Line at) { *reported += std::string(line_names[std::size_t(at)]) + ' '; }
     void horizons(Line at, const auto&) { hear(at); }
     void curve(Line at, int) { hear(at); }
     void side_edge(Line at, const auto&) { hear(at); }
@@ -348,10 +348,10 @@ struct HearLabels : NoTrace {
 
 TEST_CASE("A run of the floating horizon reports each line of the listing that it reaches") {
     // The second curve is below the first over column 0, and crosses it halfway to column 1.
-    std::string heard;
+    std::string reported;
     const auto scene = CurveSceneBuilder({0, 0, 2, 4}).curve({{0, 2}, {1, 2}}).curve({{0, 3}, {1, 1}}).build();
-    visible_lines(scene, Double{}, HearLabels(heard));
-    CHECK(heard ==
+    visible_lines(scene, Double{}, HearLabels(reported));
+    CHECK(reported ==
           "FH1 FH2 FH3 FH4 FH5 FH6 H2 H3 H2 H3 FH6 FH10 "
           "FH2 SE2 FH3 FH4 FH5 IN2 FH7 FH7 H3 FH7 IN2 FH8 FH8 H2 FH8 SE2 FH10 ");
 }
@@ -362,12 +362,12 @@ namespace {
 
 /// For each curve, whether it is found visible over its columns.
 struct HearVisibility : NoTrace {
-    std::vector<std::vector<bool>>* heard;
-    explicit HearVisibility(std::vector<std::vector<bool>>& to) : heard(&to) {}
+    std::vector<std::vector<bool>>* reported;
+    explicit HearVisibility(std::vector<std::vector<bool>>& to) : reported(&to) {}
 
-    void curve(Line, int) { heard->emplace_back(); }
+    void curve(Line, int) { reported->emplace_back(); }
     void visibility(Line, const auto&, int, VisibilityFlag flag) {
-        heard->back().push_back(flag != VisibilityFlag::hidden);
+        reported->back().push_back(flag != VisibilityFlag::hidden);
     }
 };
 

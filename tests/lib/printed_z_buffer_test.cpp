@@ -13,10 +13,10 @@ using namespace vidno::test;
 namespace {
 
 template <class Set, class K>
-HearFaults::Heard faults_of(const AdmittedScene& scene) {
-    HearFaults::Heard heard;
-    render<Set>(Method::zbuffer, scene, K{}, HearFaults(heard));
-    return heard;
+HearFaults::Reported faults_of(const AdmittedScene& scene) {
+    HearFaults::Reported reported;
+    render<Set>(Method::zbuffer, scene, K{}, HearFaults(reported));
+    return reported;
 }
 
 struct CountMisses : NoTrace {
@@ -38,9 +38,9 @@ namespace {
 
 template <class K>
 void check_missing_partner(const AdmittedScene& scene) {
-    const auto heard = faults_of<Printed, K>(scene);
-    CHECK(heard.at == Line::Z14);
-    CHECK(heard.reason == "the last entry of AEL has no partner");
+    const auto reported = faults_of<Printed, K>(scene);
+    CHECK(reported.at == Line::Z14);
+    CHECK(reported.reason == "the last entry of AEL has no partner");
     CHECK(faults_of<Corrected, K>(scene).count == 0);
 }
 
@@ -76,10 +76,10 @@ TEST_CASE_TEMPLATE("X-Z3: the row and the column past the area are painted", K, 
 namespace {
 
 struct HearFirstSlope : NoTrace {
-    std::optional<double>* heard;
-    explicit HearFirstSlope(std::optional<double>& to) : heard(&to) {}
+    std::optional<double>* reported;
+    explicit HearFirstSlope(std::optional<double>& to) : reported(&to) {}
     void slope(Line, const auto& dz) {
-        if (!*heard) *heard = as_double(dz);
+        if (!*reported) *reported = as_double(dz);
     }
 };
 
@@ -113,8 +113,8 @@ TEST_CASE_TEMPLATE("X-Z5: a span starts at its end, not at a pixel centre", K, V
 TEST_CASE("X-Z6: where doubles are 2 apart, y + 1 is y") {
     const double far = 9007199254740992;  // 2^53
     const AdmittedScene scene = SceneBuilder(area_16).quad(0, far, 16, far + 16, 0).build();
-    const auto heard = faults_of<Printed, Double>(scene);
-    CHECK(heard.at == Line::Z15);
+    const auto reported = faults_of<Printed, Double>(scene);
+    CHECK(reported.at == Line::Z15);
     CHECK(faults_of<Corrected, Double>(scene).count == 0);
     CHECK_MESSAGE((faults_of<Printed, Exact>(scene).count == 0), "exact numbers get on");
 }

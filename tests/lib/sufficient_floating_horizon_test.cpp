@@ -47,11 +47,11 @@ private:
             expect(own_->lower[x], rebuilt_->state.values().horizons.lower[column]);
         }
     }
-    void expect(const auto& own, const std::optional<Value>& told) {
-        rebuilt_->expect(own ? told && as_value<K>(*own) == *told : !told);
+    void expect(const auto& own, const std::optional<Value>& reported) {
+        rebuilt_->expect(own ? reported && as_value<K>(*own) == *reported : !reported);
     }
 
-    const Horizons<OnColumns<K>>* own_ = nullptr;  // of the run that is heard
+    const Horizons<OnColumns<K>>* own_ = nullptr;  // of the run that is reported
 };
 
 template <class Set, class K>

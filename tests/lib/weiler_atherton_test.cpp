@@ -368,10 +368,10 @@ namespace {
 
 /// The labels of the listing's lines, in the order of the run's events.
 struct HearLabels : NoTrace {
-    std::string* heard;
-    explicit HearLabels(std::string& to) : heard(&to) {}
+    std::string* reported;
+    explicit HearLabels(std::string& to) : reported(&to) {}
 
-    void hear(Line at) { *heard += std::string(line_names[std::size_t(at)]) + ' '; }
+    void hear(Line at) { *reported += std::string(line_names[std::size_t(at)]) + ' '; }
     void cut_to_area(Line at, const auto&, const auto&) { hear(at); }
     void facets(Line at, const auto&) { hear(at); }
     void sorted(Line at, const auto&) { hear(at); }
@@ -394,13 +394,13 @@ TEST_CASE("A run of Weiler and Atherton's algorithm reports each line of the lis
     // 1. So the part inside the second one's outline becomes a list with both, and the rest of the second outside the
     // first becomes a separate list. Their planes meet at x = 3/2, where the first is not, so they need not be clipped
     // for that.
-    std::string heard;
+    std::string reported;
     const AdmittedScene scene = SceneBuilder({0, 0, 2, 1})
                                     .quad(0, 0, 1, 1, .375)
                                     .polygon({{0, 0, 0}, {2, 0, .5}, {2, 1, .5}, {0, 1, 0}})
                                     .build();
-    visible_regions(scene, Double{}, HearLabels(heard));
-    CHECK(heard ==
+    visible_regions(scene, Double{}, HearLabels(reported));
+    CHECK(reported ==
           "WA1 WA1 WA2 DS1 DS1 WA3 WA3 "
           "WA4 WA5 RB3 WA7 WA9 WA4 WA5 WA6 WA7 WA8 WA4 WA7 WA8 PR3 PR3 ");
 }
@@ -632,10 +632,10 @@ TEST_CASE_TEMPLATE("Runs under kernels that round end, and report outlines that 
     RandomScenes random(34);
     int faults = 0;
     for (int i = 0; i < 300; ++i) {
-        HearFaults::Heard heard;
+        HearFaults::Reported reported;
         const AdmittedScene scene = random.scene();
-        visible_regions(scene, K{}, HearFaults(heard));
-        faults += heard.count;
+        visible_regions(scene, K{}, HearFaults(reported));
+        faults += reported.count;
     }
     CHECK(faults > 0);
 }

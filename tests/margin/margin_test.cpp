@@ -112,7 +112,7 @@ std::vector<Course> courses_of(const RunRequest& asked) {
     std::vector<Course> courses;
     std::optional<Course> running;
     std::uint64_t step = 0;
-    HeardBy hear([&](const EventView& event) {
+    FunctionSink hear([&](const EventView& event) {
         ++step;
         const auto* call = event.get_if<event::Call>();
         if (call && with_signs.contains(call->of)) running = Course{call->of, {}, {}};

@@ -184,8 +184,8 @@ TEST_CASE("Values that differ, put together, are the values in full") {
                 trial % 2 == 0 ? random() % (replay.length() + 1) : std::min(last + 1, replay.length());
             Text news, full;
             replay.append_values(news, step);
-            const nlohmann::json told = nlohmann::json::parse(news.view());
-            known = known.is_null() ? told : merged(known, told);
+            const nlohmann::json reported = nlohmann::json::parse(news.view());
+            known = known.is_null() ? reported : merged(known, reported);
             std::visit(
                 [&](const auto& state) {
                     const auto names =
@@ -207,7 +207,7 @@ TEST_CASE("Values that differ, put together, are the values in full") {
 }
 
 TEST_CASE("A wrong line ends a replay, which keeps the steps before it") {
-    const auto told = [](const std::vector<std::string>& lines, std::size_t piece) {
+    const auto reported = [](const std::vector<std::string>& lines, std::size_t piece) {
         const std::string text = with_lines(lines);
         Replay replay;
         for (std::size_t at = 0; at < text.size(); at += piece) replay.append(text.substr(at, piece));
@@ -221,15 +221,16 @@ TEST_CASE("A wrong line ends a replay, which keeps the steps before it") {
     };
     // In one piece, and line by line or less.
     for (const std::size_t piece : {std::size_t{1} << 20, std::size_t{40}}) {
-        CHECK(told({push, "nothing", pop}, piece) == "3: not JSON");
-        CHECK(told({push, pop, R"({"e":"discard","at":"PW3","polygon":"C"})"}, piece) ==
+        CHECK(reported({push, "nothing", pop}, piece) == "3: not JSON");
+        CHECK(reported({push, pop, R"({"e":"discard","at":"PW3","polygon":"C"})"}, piece) ==
               "4: /polygon: not a polygon of the scene");
-        CHECK(told({push, pop, pop}, piece) == "4: the stack AW is empty");
-        CHECK(told({push, R"({"e":"pop","at":"W5","window":[0,0,8,8]})"}, piece) == "3: not the window on top of AW");
-        CHECK(told({push, R"({"e":"clear","at":"Z1","color":"#ffffff","z":0})"}, piece) ==
+        CHECK(reported({push, pop, pop}, piece) == "4: the stack AW is empty");
+        CHECK(reported({push, R"({"e":"pop","at":"W5","window":[0,0,8,8]})"}, piece) ==
+              "3: not the window on top of AW");
+        CHECK(reported({push, R"({"e":"clear","at":"Z1","color":"#ffffff","z":0})"}, piece) ==
               "3: an event of another method");
-        CHECK(told({push, pop, end_of_two, pop}, piece) == "5: text after the last line");
-        CHECK(told({push, R"({"end":{"events":3,"picture":""}})"}, piece) ==
+        CHECK(reported({push, pop, end_of_two, pop}, piece) == "5: text after the last line");
+        CHECK(reported({push, R"({"end":{"events":3,"picture":""}})"}, piece) ==
               "3: /end/events: not the number of events read");
     }
 }
@@ -346,8 +347,8 @@ TEST_CASE("Lists of 20,000 polygons do not slow a replay down") {
           }) < patience);
     CHECK(seconds([&] {
               for (std::uint64_t step = steps / 2; step < steps / 2 + 200; ++step) {
-                  Text told;
-                  replay.append_values(told, step);
+                  Text reported;
+                  replay.append_values(reported, step);
               }
           }) < patience);
     CHECK(list_at(steps) == std::vector<AplEntry>{{{0}, false}, {{count - 1}, false}});

@@ -25,7 +25,7 @@ std::size_t faults_in_trace(const RunRequest& request) {
     RunRequest traced = request;
     traced.detail = Detail::signs;
     traced.sink = &writer;
-    told_run(traced);
+    traced_run(traced);
     writer.finish_partial();
     std::size_t faults = 0;
     for (auto at = text.find("{\"e\":\"fault\""); at != text.npos; at = text.find("{\"e\":\"fault\"", at + 1)) ++faults;

@@ -17,14 +17,14 @@ struct CountWindows : NoTrace {
 
 /// The last fault of a run.
 struct HearFaults : NoTrace {
-    struct Heard {
+    struct Reported {
         int count = 0;
         Line at{};
         std::string reason;
     };
-    Heard* heard;
-    explicit HearFaults(Heard& to) : heard(&to) {}
-    void fault(Line at, std::string_view reason) { *heard = {heard->count + 1, at, std::string(reason)}; }
+    Reported* reported;
+    explicit HearFaults(Reported& to) : reported(&to) {}
+    void fault(Line at, std::string_view reason) { *reported = {reported->count + 1, at, std::string(reason)}; }
     void fault(Line at, std::string_view reason, int, int) { fault(at, reason); }
 };
 

@@ -24,7 +24,7 @@ namespace vidno::test {
 inline void hear_run(const AdmittedScene& scene, Method method,
                      const std::function<void(std::uint64_t step, const EventView& event)>& hear) {
     std::uint64_t step = 0;
-    HeardBy sink([&](const EventView& event) { hear(++step, event); });
+    FunctionSink sink([&](const EventView& event) { hear(++step, event); });
     run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
 }
 

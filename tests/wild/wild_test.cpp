@@ -45,9 +45,9 @@ TEST_CASE("what public reports bring is read as they expect it, or refused with 
             const auto [scene, report, losses] = import_mesh(text, file, {}, beside);
             REQUIRE(input.contains("faces"));
             CHECK(faces_of(read_mesh_soup(text, file, beside)) == input["faces"]);
-            json told = json::array();
-            for (const auto& [what, where] : losses) told.push_back(where + ": " + what);
-            CHECK(told == input["told"]);
+            json reported = json::array();
+            for (const auto& [what, where] : losses) reported.push_back(where + ": " + what);
+            CHECK(reported == input["told"]);
             for (std::size_t i = 0; input.contains("colors") && i < scene->polygons.size(); ++i) {
                 CHECK(scene->polygons[i].color == *color_of_hex(input["colors"][i].get<std::string>()));
             }

@@ -31,7 +31,7 @@ private:
         if (findings_) findings_->survey(point);
     };
     StageCount count_ = [this](FilterStage stage) { counted_.count(stage); };
-    HeardBy<HearEvent> sink_{[this](const EventView& event) {
+    FunctionSink<HearEvent> sink_{[this](const EventView& event) {
         progress_();
         hear_(event);
         counted_.follow(event);
@@ -63,7 +63,7 @@ FloatingHorizonCheckReport check_run(const FloatingHorizonRequest& request, cons
     FloatingHorizonRequest judged = request;
     judged.detail = Detail::signs;
     judged.sink = &report.sink();
-    DrawnLines lines = told_floating_horizon(judged, report.followers());
+    DrawnLines lines = traced_floating_horizon(judged, report.followers());
     const FloatingHorizonRequest exactly{kernel_of(KernelKind::exact), Edition::corrected, request.scene};
     const auto wrong =
         different_columns(columns_drawn(lines, request.scene), columns_drawn(run(exactly), request.scene));

@@ -9,7 +9,7 @@
 
 namespace vidno {
 
-bool DecisionsTold::has(Decision of) const {
+bool ReportedDecisions::has(Decision of) const {
     using enum Decision;
     if (detail == Detail::windows) return false;
     if (of_regions && of == orientation) return false;  // only the surround test and the clip report theirs
@@ -18,14 +18,14 @@ bool DecisionsTold::has(Decision of) const {
 }
 
 void CheckedTrace::hear(const EventView& event) {
-    auto decisions = heard_.told_by(event);
-    event.visit([&]<class E>(const E& told) {
-        if constexpr (requires { told.decides; }) {
-            E judged = told;
-            judged.told = told_of({E::decides, told.decision()}, decisions);
+    auto decisions = pending_.reported_by(event);
+    event.visit([&]<class E>(const E& e) {
+        if constexpr (requires { e.decides; }) {
+            E judged = e;
+            judged.checked = checked_fields_of({E::decides, e.decision()}, decisions);
             write(judged);
         } else {
-            write(told);
+            write(e);
         }
     });
     last_stage_.reset();
@@ -45,9 +45,9 @@ void CheckedTrace::write(const E& event) {
     at_ = event.at;
     Detail from = E::kind.from;
     if constexpr (std::same_as<E, event::Call>) from = event::calls_from(event.of);
-    if (from > told_.detail) return;
+    if (from > reported_.detail) return;
     if constexpr (std::same_as<E, event::Span>) {
-        if (told_.detail < Detail::polygons && event.depths) {
+        if (reported_.detail < Detail::polygons && event.depths) {
             E without_depths = event;
             without_depths.depths.reset();
             return writer_->hear(without_depths);
@@ -80,23 +80,23 @@ JudgedDecision columns_of(JudgedDecision first, JudgedDecision columns) {
 
 /// The verdict on an event's decision: the last one of its kind. None if it was not judged, like columns in an edition
 /// that leaves out the ends. Only wrong decisions keep their operands.
-std::optional<JudgedDecision> judged(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
+std::optional<JudgedDecision> judged(const ReportedDecision& reported, std::vector<JudgedDecision>& decisions) {
     const auto find = [&](Decision of) {
         return std::find_if(decisions.rbegin(), decisions.rend(), [&](auto& each) { return each.of == of; });
     };
     const auto take = [](auto found) { return found->wrong() ? *found : std::move(*found); };
     const auto none = decisions.rend();
-    if (const auto own = find(told.of); own != none) return take(own);
+    if (const auto own = find(reported.of); own != none) return take(own);
     const auto first = find(Decision::first_centre), last = find(Decision::last_centre);
-    if (told.of != Decision::columns || first == none || last == none) return std::nullopt;
+    if (reported.of != Decision::columns || first == none || last == none) return std::nullopt;
     JudgedDecision columns = columns_of(take(first), take(last));
-    return columns.taken == told.answer ? std::optional(std::move(columns)) : std::nullopt;
+    return columns.taken == reported.answer ? std::optional(std::move(columns)) : std::nullopt;
 }
 
-DecisionsTold decisions_told(const RunRequest& request, Detail detail) {
+ReportedDecisions reported_decisions(const RunRequest& request, Detail detail) {
     return {detail, algorithm_of(request.method) == Algorithm::weiler_atherton};
 }
-DecisionsTold decisions_told(const FloatingHorizonRequest&, Detail detail) { return {detail}; }
+ReportedDecisions reported_decisions(const FloatingHorizonRequest&, Detail detail) { return {detail}; }
 
 /// What `exact` decides, and the operands of each event that reports a decision.
 struct Exactly {
@@ -105,12 +105,12 @@ struct Exactly {
 };
 
 Exactly exactly(RunRequest request) {
-    Pending<JudgedDecision> heard;
+    Pending<JudgedDecision> pending;
     std::vector<Operands> operands;
-    const DecisionsTold told = decisions_told(request, Detail::signs);
-    const Judge judge = [&](const Verdict& verdict) { heard.add(JudgedDecision(verdict, told.has(verdict.of))); };
-    HeardBy sink([&](const EventView& event) {
-        auto decisions = heard.told_by(event);
+    const ReportedDecisions reported = reported_decisions(request, Detail::signs);
+    const Judge judge = [&](const Verdict& verdict) { pending.add(JudgedDecision(verdict, reported.has(verdict.of))); };
+    FunctionSink sink([&](const EventView& event) {
+        auto decisions = pending.reported_by(event);
         const auto decision = decision_of(event);
         if (!decision) return;
         auto own = judged(*decision, decisions);
@@ -124,12 +124,13 @@ Exactly exactly(RunRequest request) {
 
 }  // namespace
 
-Told CheckedTrace::told_of(const ToldDecision& told, std::vector<JudgedDecision>& decisions) {
+CheckedFields CheckedTrace::checked_fields_of(const ReportedDecision& reported,
+                                              std::vector<JudgedDecision>& decisions) {
     const std::size_t place = decisions_++;
-    auto own = judged(told, decisions);
+    auto own = judged(reported, decisions);
     // Signs alone do not tell the columns of a row of a region; the run under `exact` reported them at the same event.
-    const bool is_told_exactly = place < right_.size();
-    if (!own && !is_told_exactly) return {std::nullopt, last_stage_, std::nullopt};
+    const bool is_reported_exactly = place < right_.size();
+    if (!own && !is_reported_exactly) return {std::nullopt, last_stage_, std::nullopt};
     Operands operands = place < operands_.size() ? std::move(operands_[place])
                         : own                    ? std::move(own->operands)
                                                  : Operands{};
@@ -155,16 +156,17 @@ bool write_judged(auto request, TraceWriter& writer, CheckedTrace trace, auto&& 
 }  // namespace
 
 bool write_checked_trace(const RunRequest& request, TraceWriter& writer) {
-    const DecisionsTold told = decisions_told(request, request.detail);
-    if (!request.kernel.is_always_right()) return write_judged(request, writer, {told, writer}, judged_run);
+    const ReportedDecisions reported = reported_decisions(request, request.detail);
+    if (!request.kernel.is_always_right()) return write_judged(request, writer, {reported, writer}, judged_run);
     auto [right, operands] = exactly(request);
     return write_judged(
-        request, writer, {told, writer, std::move(operands), right.reported},
+        request, writer, {reported, writer, std::move(operands), right.reported},
         [&right = right](const auto& of, const auto& followers) { return compared_run(of, right, followers); });
 }
 
 bool write_checked_trace(const FloatingHorizonRequest& request, TraceWriter& writer) {
-    return write_judged(request, writer, {decisions_told(request, request.detail), writer}, told_floating_horizon);
+    return write_judged(request, writer, {reported_decisions(request, request.detail), writer},
+                        traced_floating_horizon);
 }
 
 }  // namespace vidno

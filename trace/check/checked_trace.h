@@ -14,7 +14,7 @@ namespace vidno {
 
 /// The decisions that the events of a trace report. Only these and wrong ones need their operands, which take most of
 /// the time.
-struct DecisionsTold {
+struct ReportedDecisions {
     Detail detail;
     bool of_regions = false;  // of Weiler and Atherton's algorithm
 
@@ -26,19 +26,19 @@ class CheckedTrace final : public EventSink {
 public:
     /// `operands` and `right` hold the operands and the right answer of each event that reports a decision, in the
     /// order of the events, from a run under `exact`. If they are empty, those of the verdicts are used.
-    CheckedTrace(DecisionsTold told, TraceWriter& writer, std::vector<Operands> operands = {},
+    CheckedTrace(ReportedDecisions reported, TraceWriter& writer, std::vector<Operands> operands = {},
                  std::vector<Answer> right = {})
-        : told_(told), writer_(&writer), operands_(std::move(operands)), right_(std::move(right)) {}
+        : reported_(reported), writer_(&writer), operands_(std::move(operands)), right_(std::move(right)) {}
 
     void judge(const Verdict& verdict) {
-        heard_.add(JudgedDecision(verdict, told_.has(verdict.of) || verdict.wrong()));
+        pending_.add(JudgedDecision(verdict, reported_.has(verdict.of) || verdict.wrong()));
     }
     void count(FilterStage stage) { last_stage_ = std::max(last_stage_.value_or(stage), stage); }
 
     void hear(const EventView& event) override;
 
     /// Writes the wrong decisions after the last event.
-    void tell_rest() { tell_wrong_ones(heard_.rest()); }
+    void tell_rest() { tell_wrong_ones(pending_.rest()); }
 
 private:
     template <class E>
@@ -47,14 +47,14 @@ private:
     void tell_wrong_ones(const std::vector<JudgedDecision>& decisions);
 
     /// The fields that a checked trace adds to the event's decision. It takes the operands of the right ones.
-    Told told_of(const ToldDecision& told, std::vector<JudgedDecision>& decisions);
+    CheckedFields checked_fields_of(const ReportedDecision& reported, std::vector<JudgedDecision>& decisions);
 
-    DecisionsTold told_;
+    ReportedDecisions reported_;
     TraceWriter* writer_;
     std::vector<Operands> operands_;
     std::vector<Answer> right_;
     std::size_t decisions_ = 0;  // reported by events so far
-    Pending<JudgedDecision> heard_;
+    Pending<JudgedDecision> pending_;
     std::optional<FilterStage> last_stage_;  // the last one needed since the last event
     Line at_{};
 };

@@ -6,7 +6,7 @@ namespace vidno {
 
 void DecisionCount::follow(const EventView& event) {
     ++steps_;
-    keep_step(wrong_.told_by(event));
+    keep_step(wrong_.reported_by(event));
     event.visit([&]<class E>(const E& e) {
         if constexpr (std::same_as<E, event::Call>) running_.push_back(e.of);
         if constexpr (requires { E::result_of; }) running_.pop_back();

@@ -2,10 +2,10 @@
 
 namespace vidno {
 
-std::optional<ToldDecision> decision_of(const EventView& event) {
-    return event.visit([](const auto& e) -> std::optional<ToldDecision> {
+std::optional<ReportedDecision> decision_of(const EventView& event) {
+    return event.visit([](const auto& e) -> std::optional<ReportedDecision> {
         if constexpr (requires { e.decides; }) {
-            return ToldDecision{e.decides, e.decision()};
+            return ReportedDecision{e.decides, e.decision()};
         } else {
             return std::nullopt;
         }

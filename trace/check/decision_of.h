@@ -7,11 +7,11 @@
 
 namespace vidno {
 
-struct ToldDecision {
+struct ReportedDecision {
     Decision of;
     Answer answer;
 };
 
-std::optional<ToldDecision> decision_of(const EventView& event);
+std::optional<ReportedDecision> decision_of(const EventView& event);
 
 }  // namespace vidno

@@ -35,54 +35,54 @@ void FindingList::judge(const Verdict& verdict) {
         kind = gap->sign == Sign::zero ? FindingKind::zero : FindingKind::narrow;
         if (kind == FindingKind::narrow && !is_narrow(*gap)) return;
     }
-    heard_.add({verdict.of,
-                {.kind = kind, .procedure = running_.back(), .decision = JudgedDecision(verdict), .gap = gap},
-                decisions_});
+    pending_.add({verdict.of,
+                  {.kind = kind, .procedure = running_.back(), .decision = JudgedDecision(verdict), .gap = gap},
+                  decisions_});
 }
 
 void FindingList::survey(const Surveyed& point) {
     if (point.off <= most_pixels_off) return;
     Verdict of_point;
     of_point.calculator = point.calculator;
-    heard_.add({{},
-                {.kind = FindingKind::point,
-                 .procedure = running_.back(),
-                 .decision = JudgedDecision(of_point),
-                 .off = point.off}});
+    pending_.add({{},
+                  {.kind = FindingKind::point,
+                   .procedure = running_.back(),
+                   .decision = JudgedDecision(of_point),
+                   .off = point.off}});
 }
 
 void FindingList::follow(const EventView& event) {
     ++steps_;
-    event.visit([&]<class E>(const E& told) {
-        at_ = told.at;
+    event.visit([&]<class E>(const E& e) {
+        at_ = e.at;
         if constexpr (std::same_as<E, event::Draw>) {
             for (std::size_t i = filling_; i < findings_.size(); ++i) {
-                if (findings_[i].procedure == Procedure::fill_polygon) findings_[i].polygons = {told.polygon};
+                if (findings_[i].procedure == Procedure::fill_polygon) findings_[i].polygons = {e.polygon};
             }
             for (auto& [ulps, each] : narrow_) {
                 const bool is_of_this = each.procedure == Procedure::fill_polygon && each.polygons.empty();
-                if (is_of_this) each.polygons = {told.polygon};
+                if (is_of_this) each.polygons = {e.polygon};
             }
         }
     });
-    for (auto& heard : heard_.told_by(event)) place(std::move(heard), event);
-    event.visit([&]<class E>(const E& told) {
+    for (auto& pending : pending_.reported_by(event)) place(std::move(pending), event);
+    event.visit([&]<class E>(const E& e) {
         if constexpr (std::same_as<E, event::Call>) {
-            running_.push_back(told.of);
-            if (told.of == Procedure::fill_polygon) filling_ = findings_.size();
+            running_.push_back(e.of);
+            if (e.of == Procedure::fill_polygon) filling_ = findings_.size();
         }
         if constexpr (requires { E::result_of; }) running_.pop_back();
     });
     whereabouts_.follow(event);
 }
 
-void FindingList::place(Heard heard, const EventView& event) {
-    Finding& finding = heard.finding;
+void FindingList::place(PendingFinding pending, const EventView& event) {
+    Finding& finding = pending.finding;
     finding.step = steps_;
     finding.at = at_;
     auto& gap = finding.gap;
     // An event that reports a decision reports the last one before it.
-    if (gap && heard.number == decisions_) gap->if_zero = meaning(gap->if_zero, event);
+    if (gap && pending.number == decisions_) gap->if_zero = meaning(gap->if_zero, event);
     const bool draws = event.get_if<event::Draw>();
     if (finding.procedure != Procedure::fill_polygon || draws) finding.polygons = whereabouts_.polygons(event);
     finding.pixels = whereabouts_.pixels(event, finding.decision.of, gap ? gap->pixel : std::nullopt);
@@ -106,14 +106,14 @@ void FindingList::keep_narrow(Finding finding) {
 }
 
 std::vector<Finding> FindingList::findings() {
-    for (auto& heard : heard_.rest()) {
-        heard.finding.step = steps_;
-        heard.finding.at = at_;
-        if (heard.finding.kind == FindingKind::narrow) {
-            const double ulps = heard.finding.gap->ulps;
-            narrow_.emplace(ulps, std::move(heard.finding));
+    for (auto& pending : pending_.rest()) {
+        pending.finding.step = steps_;
+        pending.finding.at = at_;
+        if (pending.finding.kind == FindingKind::narrow) {
+            const double ulps = pending.finding.gap->ulps;
+            narrow_.emplace(ulps, std::move(pending.finding));
         } else {
-            findings_.push_back(std::move(heard.finding));
+            findings_.push_back(std::move(pending.finding));
         }
     }
     std::vector<Finding> all = std::move(findings_);
@@ -128,7 +128,7 @@ namespace {
 void find(auto& request, FindingList& findings, auto&& run) {
     const Judge judge = [&](const Verdict& verdict) { findings.judge(verdict); };
     const Surveyor survey = [&](const Surveyed& point) { findings.survey(point); };
-    HeardBy sink([&](const EventView& event) {
+    FunctionSink sink([&](const EventView& event) {
         request.progress();
         findings.follow(event);
     });
@@ -143,6 +143,8 @@ void find_in(RunRequest request, FindingList& findings) {
     find(request, findings, request.kernel.is_always_right() ? exactly_judged_run : judged_run);
 }
 
-void find_in(FloatingHorizonRequest request, FindingList& findings) { find(request, findings, told_floating_horizon); }
+void find_in(FloatingHorizonRequest request, FindingList& findings) {
+    find(request, findings, traced_floating_horizon);
+}
 
 }  // namespace vidno

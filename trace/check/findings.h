@@ -56,15 +56,15 @@ public:
     const std::array<Zeros, coincidence_names.size()>& zeros() const { return zeros_; }
 
 private:
-    /// Decisions heard before their event came.
-    struct Heard {
+    /// Findings whose event has not come yet.
+    struct PendingFinding {
         Decision of;
         Finding finding;
         std::uint64_t number = 0;  // among all decisions; none for a point
     };
 
     bool is_narrow(const Gap& gap) const;
-    void place(Heard heard, const EventView& event);
+    void place(PendingFinding pending, const EventView& event);
     void keep_narrow(Finding finding);
 
     std::vector<Procedure> running_;
@@ -72,7 +72,7 @@ private:
     std::size_t most_narrow_, most_zeros_;
     std::uint64_t steps_ = 0, decisions_ = 0;
     Line at_{};
-    Pending<Heard> heard_;
+    Pending<PendingFinding> pending_;
     std::vector<Finding> findings_;          // all but the narrow ones
     std::multimap<double, Finding> narrow_;  // by ulps; of equals the first is the narrower, on every system
     std::size_t filling_ = 0;                // where the findings of the FillPolygon that is running begin

@@ -38,7 +38,7 @@ RunRequest exactly(const RunRequest& request, EventSink& sink) {
 
 Picture compared_by_answers(const RunRequest& request, const std::vector<Answer>& right, const Followers& followers) {
     Comparison<Answer> comparison(right);
-    HeardBy compare([&](const EventView& event) {
+    FunctionSink compare([&](const EventView& event) {
         if (const auto taken = decision_of(event)) {
             (*followers.judge)(comparison.verdict(taken->of, taken->answer, std::identity{}));
         }
@@ -46,7 +46,7 @@ Picture compared_by_answers(const RunRequest& request, const std::vector<Answer>
     });
     RunRequest compared = request;
     compared.sink = &compare;
-    return told_run(compared, {.count = followers.count});
+    return traced_run(compared, {.count = followers.count});
 }
 
 Picture compared_by_signs(const RunRequest& request, const std::vector<Sign>& right, const Followers& followers) {
@@ -55,24 +55,24 @@ Picture compared_by_signs(const RunRequest& request, const std::vector<Sign>& ri
         const auto as_answer = [](Sign of) { return Answer(int(of)); };
         (*followers.judge)(comparison.verdict(Decision::comparison, sign, as_answer));
     };
-    return told_run(request, {.count = followers.count, .hear_sign = &compare});
+    return traced_run(request, {.count = followers.count, .hear_sign = &compare});
 }
 
 }  // namespace
 
 Picture exactly_judged_run(const RunRequest& request, const Followers& followers) {
-    return told_run(exactly(request, *request.sink), followers);
+    return traced_run(exactly(request, *request.sink), followers);
 }
 
 RightDecisions right_decisions(const RunRequest& request, const Judge* judge) {
     RightDecisions right;
     const HearSign keep_sign = [&](Sign sign) { right.signs.push_back(sign); };
-    HeardBy keep_answer([&](const EventView& event) {
+    FunctionSink keep_answer([&](const EventView& event) {
         if (const auto taken = decision_of(event)) right.reported.push_back(taken->answer);
         request.sink->hear(event);
     });
-    told_run(exactly(request, keep_answer),
-             {.judge = judge, .hear_sign = is_of_regions(request) ? &keep_sign : nullptr});
+    traced_run(exactly(request, keep_answer),
+               {.judge = judge, .hear_sign = is_of_regions(request) ? &keep_sign : nullptr});
     return right;
 }
 
@@ -82,12 +82,12 @@ Picture compared_run(const RunRequest& request, const RightDecisions& right, con
 }
 
 Picture judged_run(const RunRequest& request, const Followers& followers) {
-    if (!request.kernel.is_always_right()) return told_run(request, followers);
-    HeardBy nobody([](const EventView&) {});
-    RunRequest unheard = request;
-    unheard.sink = &nobody;
-    if (is_of_regions(request)) unheard.detail = Detail::windows;  // its signs are enough
-    return compared_run(request, right_decisions(unheard, nullptr), followers);
+    if (!request.kernel.is_always_right()) return traced_run(request, followers);
+    FunctionSink nobody([](const EventView&) {});
+    RunRequest unreported = request;
+    unreported.sink = &nobody;
+    if (is_of_regions(request)) unreported.detail = Detail::windows;  // its signs are enough
+    return compared_run(request, right_decisions(unreported, nullptr), followers);
 }
 
 }  // namespace vidno

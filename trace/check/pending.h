@@ -1,4 +1,4 @@
-/// Pending: the decisions heard since the last event, kept until the event that reports them or is the first after
+/// Pending: the decisions taken since the last event, kept until the event that reports them or is the first after
 /// them.
 #pragma once
 
@@ -16,25 +16,25 @@ namespace vidno {
 template <class T>
 class Pending {
 public:
-    void add(T heard) { heard_.push_back(std::move(heard)); }
+    void add(T decision) { all_.push_back(std::move(decision)); }
 
     /// The decisions of this event, in order. ShowLine finds its columns before it reports the slope, and reports them
     /// after it.
-    std::vector<T> told_by(const EventView& event) {
-        if (heard_.empty() || !event.get_if<event::Slope>()) return rest();
+    std::vector<T> reported_by(const EventView& event) {
+        if (all_.empty() || !event.get_if<event::Slope>()) return rest();
         const auto waits = [](const T& each) {
             return each.of == Decision::first_centre || each.of == Decision::last_centre;
         };
-        const auto waiting = std::stable_partition(heard_.begin(), heard_.end(), std::not_fn(waits));
-        std::vector<T> later(std::make_move_iterator(waiting), std::make_move_iterator(heard_.end()));
-        heard_.erase(waiting, heard_.end());
-        return std::exchange(heard_, std::move(later));
+        const auto waiting = std::stable_partition(all_.begin(), all_.end(), std::not_fn(waits));
+        std::vector<T> later(std::make_move_iterator(waiting), std::make_move_iterator(all_.end()));
+        all_.erase(waiting, all_.end());
+        return std::exchange(all_, std::move(later));
     }
     /// The decisions that no event follows.
-    std::vector<T> rest() { return std::exchange(heard_, {}); }
+    std::vector<T> rest() { return std::exchange(all_, {}); }
 
 private:
-    std::vector<T> heard_;
+    std::vector<T> all_;
 };
 
 }  // namespace vidno

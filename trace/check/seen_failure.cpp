@@ -30,10 +30,10 @@ Method method_of(const NamedRun& run) {
     return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
 }
 
-/// Passes each step of a run to `hear`, up to the end or until it has heard enough.
+/// Passes each step of a run to `hear`, up to the end or until it has enough.
 void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, const Judge* judge = nullptr) {
     std::uint64_t steps = 0;
-    HeardBy sink([&](const EventView& event) {
+    FunctionSink sink([&](const EventView& event) {
         hear(++steps, event);
         if (steps == most_steps) throw Enough();
     });
@@ -41,13 +41,13 @@ void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, 
     const Edition edition = named.edition;
     try {
         if (const auto* surface = std::get_if<Surface>(&scene)) {
-            told_floating_horizon({kernel, edition, surface->curves, Detail::signs, &sink}, {.judge = judge});
+            traced_floating_horizon({kernel, edition, surface->curves, Detail::signs, &sink}, {.judge = judge});
         } else {
             RunRequest request{method_of(named), kernel, edition, std::get<AdmittedScene>(scene), Detail::signs, &sink};
             if (judge) {
                 judged_run(request, {.judge = judge});
             } else {
-                told_run(request);
+                traced_run(request);
             }
         }
     } catch (const Enough&) {
@@ -79,11 +79,11 @@ std::optional<SeenFailure> first_wrong(const Failure& failure) {
         if (!wrong && verdict.wrong()) wrong = verdict;
     };
     std::uint64_t step = 0;
-    std::optional<Event> told;
+    std::optional<Event> seen;
     const auto hear = [&](std::uint64_t at, const EventView& event) {
         step = at;
         if (!wrong) return;
-        told = event.copy();
+        seen = event.copy();
         throw Enough();
     };
     follow(*failure.scene, failure.fails, hear, &judge);
@@ -97,7 +97,7 @@ std::optional<SeenFailure> first_wrong(const Failure& failure) {
         return std::string(decision_words[std::size_t(wrong->of)].in(language)) + std::string(computed.in(language)) +
                taken.in(language) + std::string(exactly.in(language)) + exact.in(language);
     });
-    return SeenFailure{step, there, told};
+    return SeenFailure{step, there, seen};
 }
 
 /// The last step that painted a pixel, and the colour.
@@ -112,10 +112,10 @@ Painted painted(const AnyScene& scene, const NamedRun& run, const std::pair<int,
     Color of_polygon;
     follow(scene, run, [&](std::uint64_t step, const EventView& event) {
         if (const auto* polygon = event.get_if<event::Polygon>()) of_polygon = polygon->color;
-        event.visit([&](const auto& told) {
-            if (!paints(told, x, y)) return;
-            if constexpr (requires { Color(told.color); }) {
-                last = {step, told.color};
+        event.visit([&](const auto& e) {
+            if (!paints(e, x, y)) return;
+            if constexpr (requires { Color(e.color); }) {
+                last = {step, e.color};
             } else {
                 last = {step, of_polygon};
             }
@@ -211,7 +211,7 @@ std::optional<std::uint64_t> step_at(const std::string& line, const AnyScene& sc
     std::optional<std::uint64_t> found;
     follow(scene, run, [&](std::uint64_t step, const EventView& event) {
         if (event.get_if<event::Call>()) return;
-        const Line at = event.visit([](const auto& told) { return told.at; });
+        const Line at = event.visit([](const auto& e) { return e.at; });
         if (line_names[std::size_t(at)] != line) return;
         found = step;
         throw Enough();

@@ -15,16 +15,16 @@ void add(std::vector<PolygonPlace>& polygons, const std::optional<PolygonPlace>&
 
 // The events that have a polygon.
 template <class E>
-concept OfPolygon = requires(const E& told) {
-    { told.polygon } -> std::convertible_to<PolygonPlace>;
+concept OfPolygon = requires(const E& e) {
+    { e.polygon } -> std::convertible_to<PolygonPlace>;
 };
 template <class E>
-concept OfClipPolygon = requires(const E& told) {
-    { told.clip } -> std::convertible_to<PolygonPlace>;
+concept OfClipPolygon = requires(const E& e) {
+    { e.clip } -> std::convertible_to<PolygonPlace>;
 };
 template <class E>
-concept OfOther = requires(const E& told) {
-    { told.other } -> std::convertible_to<PolygonPlace>;
+concept OfOther = requires(const E& e) {
+    { e.other } -> std::convertible_to<PolygonPlace>;
 };
 
 int pixel_at(const Value& coordinate) { return int(std::floor(number_of(coordinate))); }
@@ -59,17 +59,17 @@ void Whereabouts::follow(const EventView& event) {
     if (const auto* pixel = event.get_if<event::Pixel>(); pixel && pixel->shown && !shown_.empty()) {
         shown(pixel->x, pixel->y) = polygon_;
     }
-    event.visit([&]<class E>(const E& told) {
-        if constexpr (OfPolygon<E>) polygon_ = told.polygon;
+    event.visit([&]<class E>(const E& e) {
+        if constexpr (OfPolygon<E>) polygon_ = e.polygon;
     });
 }
 
 std::vector<PolygonPlace> Whereabouts::polygons(const EventView& event) const {
     std::vector<PolygonPlace> found;
-    event.visit([&]<class E>(const E& told) {
-        if constexpr (OfPolygon<E>) add(found, told.polygon);
-        if constexpr (OfClipPolygon<E>) add(found, told.clip);
-        if constexpr (OfOther<E>) add(found, told.other);
+    event.visit([&]<class E>(const E& e) {
+        if constexpr (OfPolygon<E>) add(found, e.polygon);
+        if constexpr (OfClipPolygon<E>) add(found, e.clip);
+        if constexpr (OfOther<E>) add(found, e.other);
     });
     if (found.empty()) add(found, polygon_);
     if (const auto* compare = event.get_if<event::Compare>()) {

@@ -17,7 +17,7 @@ public:
     /// Hears every event of level `signs`.
     void follow(const EventView& event);
 
-    // For the decisions that this event reports or is the first to follow. Query them before the event is heard. The
+    // For the decisions that this event reports or is the first to follow. Query them before the event is followed. The
     // polygon of FillPolygon is not known before `draw`.
 
     std::vector<PolygonPlace> polygons(const EventView& event) const;

@@ -107,7 +107,7 @@ int chart(const ChartOptions& options) {
     };
     file.write(scenes.empty() ? chart_all(functions) : chart_all(scenes));
     file.commit();
-    return losses.told();
+    return losses.report();
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ int check(const CheckOptions& options) {
             return check_header(options, run);
         },
         header);
-    return losses.told() != 0 ? 1 : found;
+    return losses.report() != 0 ? 1 : found;
 }
 
 }  // namespace

@@ -14,11 +14,11 @@ struct DiffOptions {
 };
 
 /// A trace, reduced to its events.
-struct Told {
+struct ComparedTrace {
     AnyTraceReader reader;
     EventText text;
 
-    explicit Told(const std::string& file)
+    explicit ComparedTrace(const std::string& file)
         : reader(open_trace(LineReader(file), file)),
           text(std::visit([](const auto& each) { return polygon_names(each.header().scene); }, reader)) {}
 
@@ -38,18 +38,18 @@ struct Told {
 
 /// The status after the last step that was compared: both traces may have been cut. What both runs lost is no
 /// difference.
-int status_of_comparison(Told& first, Told& second, bool differ) {
+int status_of_comparison(ComparedTrace& first, ComparedTrace& second, bool differ) {
     Losses losses;
-    for (Told* each : {&first, &second}) {
+    for (ComparedTrace* each : {&first, &second}) {
         each->trace().skip_rest();
         if (const auto lack = each->trace().lacks()) losses.add(each->trace().place(), {*lack});
     }
-    return losses.told() != 0 || differ ? 1 : 0;
+    return losses.report() != 0 || differ ? 1 : 0;
 }
 
 int diff(const DiffOptions& options) {
-    Told first(options.first);
-    Told second(options.second);
+    ComparedTrace first(options.first);
+    ComparedTrace second(options.second);
     Progress progress("steps");
     for (std::uint64_t step = 1;; ++step) {
         progress.show(step);

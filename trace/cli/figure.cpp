@@ -15,7 +15,7 @@ void add_figure(CLI::App& program, int& status) {
     command.callback([options, &status] {
         Losses losses;
         write_file(options->output, drawn_figure(*options, losses));
-        status = losses.told();
+        status = losses.report();
     });
 }
 

@@ -71,7 +71,7 @@ int import_scene(const ImportedMesh& options) {
     file.commit();
     Losses lost;
     lost.add(options.mesh, losses);
-    return lost.told();
+    return lost.report();
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ int make_lesson(const LessonOptions& options) {
     for (const auto& [name, text] : files) write_file(folder / name, text);
     std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output
               << '\n';
-    return losses.told();
+    return losses.report();
 }
 
 int print_pin(const LessonOptions& options) {

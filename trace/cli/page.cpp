@@ -124,7 +124,7 @@ int page(const PageOptions& options) {
     const std::string title = content.title(language.value_or(Language::english));
     output.write(is_package ? scorm_package(made, title, options.questions.value_or(usual_questions)) : made);
     output.commit();
-    return losses.told() != 0 || !lessons_are_right ? 1 : 0;
+    return losses.report() != 0 || !lessons_are_right ? 1 : 0;
 }
 
 }  // namespace

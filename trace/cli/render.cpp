@@ -107,7 +107,7 @@ int render(RenderOptions options) {
     OutputFile file(options.output);
     file.write(std::visit([&](const auto& scene) { return rendered(options, scene, losses); }, any));
     file.commit();
-    return losses.told();
+    return losses.report();
 }
 
 }  // namespace

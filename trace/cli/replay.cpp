@@ -65,7 +65,7 @@ int replay_run(const ReplayOptions& options, auto& reader) {
     if (!all_states && !one_state) losses.add(options.trace, cut_curves(state));
     losses.add(reader);
     if (!options.step) expect_stated(reader, state, losses);
-    return losses.told();
+    return losses.report();
 }
 
 int replay(const ReplayOptions& options) {

@@ -60,7 +60,7 @@ int say_steps(const SayOptions& options, auto& reader) {
     if (state.step() < last.value_or(0)) refuse_step(options.trace, *last, state.step());
     Losses losses;
     losses.add(reader);
-    return losses.told();
+    return losses.report();
 }
 
 Area area_of(const State& state) { return state.header().scene.area; }
@@ -96,7 +96,7 @@ int say_history(const SayOptions& options, auto& reader) {
     if (!reason.empty()) std::cout << reason << '\n';
     Losses losses;
     losses.add(reader);
-    return losses.told();
+    return losses.report();
 }
 
 int say_run(const SayOptions& options) {

@@ -45,7 +45,7 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
         const std::string events = counted(writer.events(), "event", "events");
         losses.add(options.output, {{"partial: stopped after " + events + " (--max-events)", {}}});
     }
-    return losses.told();
+    return losses.report();
 }
 
 int trace_scene(const TraceOptions& options, const AdmittedScene& given) {

@@ -97,7 +97,7 @@ int moodle_questions(const WorksheetOptions& options) {
     write_file(options.output, asked_about(trace, options));
     Losses losses;
     losses.add(reader);
-    return losses.told();
+    return losses.report();
 }
 
 /// Runs a scene of the options and hands on what is worked by hand.

@@ -50,7 +50,7 @@ inline constexpr std::string_view shape_name<RegionLoops> = "region";
 template <>
 inline constexpr std::string_view shape_name<PolygonPart> = "piece";
 template <>
-inline constexpr std::string_view shape_name<SampleTold> = "sample";
+inline constexpr std::string_view shape_name<ReportedSample> = "sample";
 template <>
 inline constexpr std::string_view shape_name<std::vector<ColumnHeight>> = "heights";
 template <>

@@ -6,7 +6,7 @@ namespace vidno::figures {
 
 WorkedCurves::WorkedCurves(const Surface& surface)
     : header_{Edition::corrected, "exact", Detail::signs, surface}, end_(header_) {
-    HeardBy sink([this](const EventView& event) {
+    FunctionSink sink([this](const EventView& event) {
         end_.take(event);
         event.visit([this](const auto& e) { hear(e); });
     });

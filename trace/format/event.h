@@ -62,7 +62,7 @@ enum class OtherList : unsigned char { surrounding, outside };
 inline constexpr std::array<std::string_view, 2> other_list_names{"surrounding", "outside"};
 
 using ColumnHeight = std::pair<int, Value>;
-using SampleTold = std::pair<int, double>;
+using ReportedSample = std::pair<int, double>;
 /// The segment of the current curve between the samples on these columns.
 using SegmentColumns = std::pair<int, int>;
 
@@ -111,10 +111,10 @@ inline constexpr Meaning of_samples{"segment"};
 inline constexpr Meaning end_columns{"columns"};
 
 /// The last fields of a decision.
-void truth_fields(auto& told, auto&& field) {
-    field("exact", told.exact);
-    field("by", told.by);
-    field("operands", told.operands);
+void checked_fields(auto& checked, auto&& field) {
+    field("exact", checked.exact);
+    field("by", checked.by);
+    field("operands", checked.operands);
 }
 
 struct Plane {
@@ -287,14 +287,14 @@ struct Box {
     PolygonPlace polygon;
     std::array<Value, 4> box;
     bool outside = false;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::outside;
     Answer decision() const { return outside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("box", e.box);
         field("outside", e.outside);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -331,7 +331,7 @@ struct Compare {
     std::optional<Corner> corner;
     Value z, against;
     bool nearer = false;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::nearer;
     Answer decision() const { return nearer; }
     static void fields(auto& e, auto&& field) {
@@ -340,7 +340,7 @@ struct Compare {
         field("z", e.z);
         field("against", e.against);
         field("nearer", e.nearer);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -398,13 +398,13 @@ struct Insider {
     Line at{};
     PolygonPlace polygon;
     bool inside = false;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::inside;
     Answer decision() const { return inside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("inside", e.inside);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -485,7 +485,7 @@ struct Orient {
     ValuePoint point;
     Value value;
     Sign sign{};
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::orientation;
     Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
@@ -494,7 +494,7 @@ struct Orient {
         field("point", e.point);
         field("value", e.value);
         field("sign", e.sign);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -535,14 +535,14 @@ struct ClipSign {
     ValueVertex vertex;
     Value value;
     Sign sign{};
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::orientation;
     Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
         field("vertex", e.vertex);
         field("value", e.value);
         field("sign", e.sign);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -606,7 +606,7 @@ struct Row {
     int row = 0;
     Value left, right;
     int first = 0, end = 0;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::columns;
     Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
@@ -615,7 +615,7 @@ struct Row {
         field("right", e.right);
         field("first", e.first);
         field("end", e.end);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -827,14 +827,14 @@ struct Columns {
     Line at{};
     int first = 0, end = 0;
     Value z;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::columns;
     Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
         field("first", e.first);
         field("end", e.end);
         field("z", e.z);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -846,7 +846,7 @@ struct Pixel {
     int x = 0, y = 0;
     Value z, stored;
     bool shown = false;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::nearer;
     Answer decision() const { return shown; }
     static void fields(auto& e, auto&& field) {
@@ -855,7 +855,7 @@ struct Pixel {
         field("z", e.z);
         field("stored", e.stored);
         field("shown", e.shown);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -1282,7 +1282,7 @@ struct Behind {
     Value z, clip_z;
     Sign order{};
     bool behind = false;
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::comparison;
     Answer decision() const { return int(order); }
     static void fields(auto& e, auto&& field) {
@@ -1293,7 +1293,7 @@ struct Behind {
         field("clipZ", e.clip_z);
         field("order", e.order);
         field("behind", e.behind);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -1308,7 +1308,7 @@ struct Order {
     ValuePoint point;
     Value z, other_z;
     Sign order{};
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::comparison;
     Answer decision() const { return int(order); }
     static void fields(auto& e, auto&& field) {
@@ -1318,7 +1318,7 @@ struct Order {
         field("z", e.z);
         field("otherZ", e.other_z);
         field("order", e.order);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 
@@ -1376,7 +1376,7 @@ struct SideEdge {
     static constexpr std::string_view says = "the left edge (FH3) or the right one has come to this sample";
     static constexpr Procedure result_of = Procedure::side_edge;
     Line at{};
-    SampleTold sample;
+    ReportedSample sample;
     static void fields(auto& e, auto&& field) { field("sample", e.sample); }
 };
 
@@ -1391,14 +1391,14 @@ struct Visibility {
     SegmentColumns segment;
     int x = 0;
     VisibilityFlag flag{};
-    Told told;
+    CheckedFields checked;
     static constexpr Decision decides = Decision::visibility;
     Answer decision() const { return int(flag); }
     static void fields(auto& e, auto&& field) {
         field("segment", e.segment, of_samples);
         field("x", e.x);
         field("flag", e.flag);
-        truth_fields(e.told, field);
+        checked_fields(e.checked, field);
     }
 };
 

@@ -26,9 +26,9 @@ using HearEvent = std::function<void(const EventView&)>;
 
 /// The sink that calls a function with each event, `use(const EventView&)`.
 template <class Use>
-class HeardBy final : public EventSink {
+class FunctionSink final : public EventSink {
 public:
-    explicit HeardBy(Use use) : use_(std::move(use)) {}
+    explicit FunctionSink(Use use) : use_(std::move(use)) {}
     void hear(const EventView& event) override { use_(event); }
 
 private:

@@ -10,7 +10,7 @@ namespace vidno {
 
 namespace {
 
-constexpr std::size_t most_told = 20;
+constexpr std::size_t most_listed = 20;
 
 bool is_of_outline(const event::Fault& fault) {
     using enum Line;
@@ -46,7 +46,7 @@ RunLosses::RunLosses(std::string_view kernel) {
 }
 
 void RunLosses::add(Found found) {
-    if (found_.size() < most_told) {
+    if (found_.size() < most_listed) {
         found_.push_back(std::move(found));
     } else {
         ++more_;

@@ -35,8 +35,8 @@ double number_of(const Value& value);
 /// A number of the kernel K.
 template <class K>
 Value as_value(const auto& number) {
-    if constexpr (requires { K::told(number); }) {
-        return K::told(number);
+    if constexpr (requires { K::reported(number); }) {
+        return K::reported(number);
     } else if constexpr (K::has_infinity) {
         return {double(number)};
     } else {

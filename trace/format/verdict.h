@@ -62,7 +62,7 @@ struct Operand {
 using Operands = std::vector<Operand>;
 
 /// The fields that a checked trace adds to a decision; empty in other traces.
-struct Told {
+struct CheckedFields {
     std::optional<Truth> exact{};
     std::optional<FilterStage> by{};  // under `filtered`: what decided
     std::optional<Operands> operands{};

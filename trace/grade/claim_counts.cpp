@@ -1,4 +1,4 @@
-#include "grade/told.h"
+#include "grade/claim_counts.h"
 
 #include <algorithm>
 
@@ -46,7 +46,7 @@ std::string_view name_of(const EventView& event) { return event_names[event.plac
 
 }  // namespace
 
-ClaimsTold& ClaimsTold::operator+=(const ClaimsTold& other) {
+ClaimCounts& ClaimCounts::operator+=(const ClaimCounts& other) {
     if (counts.empty())
         counts = other.counts;
     else
@@ -55,21 +55,21 @@ ClaimsTold& ClaimsTold::operator+=(const ClaimsTold& other) {
     return *this;
 }
 
-ClaimsTold told_by(std::string_view method, const std::vector<Event>& events) {
-    ClaimsTold told;
+ClaimCounts claim_counts(std::string_view method, const std::vector<Event>& events) {
+    ClaimCounts claims;
     for (const ClaimKind& kind : claim_kinds()) {
         if (kind.method != method) continue;
         const auto makes_it = [&](const EventView& event) {
             return std::find(kind.events.begin(), kind.events.end(), name_of(event)) != kind.events.end();
         };
-        told.counts.emplace_back(&kind, std::size_t(std::count_if(events.begin(), events.end(), makes_it)));
+        claims.counts.emplace_back(&kind, std::size_t(std::count_if(events.begin(), events.end(), makes_it)));
     }
-    return told;
+    return claims;
 }
 
-std::string in_words(const ClaimsTold& told, const Words& say) {
+std::string in_words(const ClaimCounts& claims, const Words& say) {
     std::string there, missing;
-    for (const auto& [kind, count] : told.counts) {
+    for (const auto& [kind, count] : claims.counts) {
         std::string& list = count > 0 ? there : missing;
         if (!list.empty()) list += ", ";
         list += say({"{0} {1}", "{1}: {0}"}, count, say.of(kind->name));
@@ -77,9 +77,9 @@ std::string in_words(const ClaimsTold& told, const Words& say) {
     return there + (there.empty() || missing.empty() ? "" : "; ") + missing;
 }
 
-std::string missing_from(const ClaimsTold& told, Detail level, const Words& say) {
+std::string missing_from(const ClaimCounts& claims, Detail level, const Words& say) {
     std::string missing;
-    for (const auto& [kind, count] : told.counts) {
+    for (const auto& [kind, count] : claims.counts) {
         if (!kind->needed || kind->from > level || count > 0) continue;
         if (!missing.empty()) missing += ", ";
         missing += say.of(kind->name);

@@ -1,4 +1,4 @@
-/// ClaimsTold: how many claims of each kind a trace makes. The judge does not check claims that a trace leaves out.
+/// ClaimCounts: how many claims of each kind a trace makes. The judge does not check claims that a trace leaves out.
 #pragma once
 
 #include <optional>
@@ -22,19 +22,19 @@ struct ClaimKind {
 };
 
 /// The number of claims of each kind of the method.
-struct ClaimsTold {
+struct ClaimCounts {
     std::vector<std::pair<const ClaimKind*, std::size_t>> counts;
 
-    ClaimsTold& operator+=(const ClaimsTold& other);
+    ClaimCounts& operator+=(const ClaimCounts& other);
 };
 
 /// Counts the claims that the events of a trace of the method make.
-ClaimsTold told_by(std::string_view method, const std::vector<Event>& events);
+ClaimCounts claim_counts(std::string_view method, const std::vector<Event>& events);
 
 /// "12 windows, 30 fills; 0 depths, 0 surround tests".
-std::string in_words(const ClaimsTold& told, const Words& say);
+std::string in_words(const ClaimCounts& claims, const Words& say);
 
 /// The names of the needed kinds of the level that are missing; empty if none is.
-std::string missing_from(const ClaimsTold& told, Detail level, const Words& say);
+std::string missing_from(const ClaimCounts& claims, Detail level, const Words& say);
 
 }  // namespace vidno

@@ -114,10 +114,10 @@ void Claims::judge_comparison(double z, double against, bool nearer) {
                 say({"the greater z is the nearer", "ближе тот, у кого z больше"})};
 }
 
-void Claims::judge_nearest_so_far(double told, const std::optional<double>& known) const {
-    if (!known || *known == told || truth_.nearly_equal(*known, told)) return;
+void Claims::judge_nearest_so_far(double claimed, const std::optional<double>& known) const {
+    if (!known || *known == claimed || truth_.nearly_equal(*known, claimed)) return;
     throw False{Symptom::comparison,
-                say({"the nearest depth so far is {}", "ближайшая из прежних глубин равна {}"}, told),
+                say({"the nearest depth so far is {}", "ближайшая из прежних глубин равна {}"}, claimed),
                 say({"the trace has reported {} before", "раньше в записи сказано {}"}, *known)};
 }
 
@@ -137,9 +137,9 @@ void Claims::judge_columns(int polygon, int row, int first, int end, const Scene
     const Area& area = scene().area;
     const auto is_at = [&](double end_x, int column) { return truth_.may_coincide(end_x, column + 0.5); };
     for (int column = area.x; column < area.right(); ++column) {
-        const bool is_told = first <= column && column < end,
+        const bool is_claimed = first <= column && column < end,
                    is_between = left.x < column + 0.5 && column + 0.5 < right.x;
-        if (is_told == is_between || is_at(left.x, column) || is_at(right.x, column)) continue;
+        if (is_claimed == is_between || is_at(left.x, column) || is_at(right.x, column)) continue;
         throw False{
             Symptom::edge,
             say({"on row {} the centres of the columns from {} to {} are in {}",

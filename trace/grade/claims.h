@@ -11,7 +11,7 @@ namespace vidno::grading {
 /// Thrown by a judge for a false claim. The catcher adds the step and the line of the listing.
 struct False {
     Symptom symptom;
-    std::string told, right;              // what the trace claims, and what is right
+    std::string claimed, right;           // what the trace claims, and what is right
     std::optional<std::uint64_t> step{};  // if the claim belongs to another event than the current one
 };
 
@@ -61,9 +61,9 @@ protected:
     /// Throws False unless `nearer` says whether z > against; either answer is right if rounding may have decided it.
     void judge_comparison(double z, double against, bool nearer);
     /// Throws False if the trace has reported a different nearest depth so far.
-    void judge_nearest_so_far(double told, const std::optional<double>& known) const;
-    /// Whether a told row at y, from left to right, is that of the polygon with these ends. It may end at the sides of
-    /// the area or of the window, which it crosses, if the polygon goes on there.
+    void judge_nearest_so_far(double claimed, const std::optional<double>& known) const;
+    /// Whether a claimed row at y, from left to right, is that of the polygon with these ends. It may end at the sides
+    /// of the area or of the window, which it crosses, if the polygon goes on there.
     bool is_row(double y, double left, double right, const SceneTruth::Ends& ends, const Window& window) const;
     /// Throws False unless first <= column < end are the pixels of a row whose centres lie between the polygon's ends.
     void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,

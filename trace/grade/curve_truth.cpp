@@ -114,19 +114,20 @@ struct CurveTruth::Exactly {
         }
     }
 
-    /// Whether a told height is the right one.
-    bool is_right(double told, const Rational& right) const {
-        if (!std::isfinite(told)) return false;
-        const Rational off = magnitude(right - Rational(told));
-        if (off <= slack * Rational(strictness(precision, told))) return true;
+    /// Whether a claimed height is the right one.
+    bool is_right(double claimed, const Rational& right) const {
+        if (!std::isfinite(claimed)) return false;
+        const Rational off = magnitude(right - Rational(claimed));
+        if (off <= slack * Rational(strictness(precision, claimed))) return true;
         // Heights of a program in double are floats only if the right ones are.
-        if (precision == Precision::twice && is_float(told) && Rational(double(float(CGAL::to_double(right)))) != right)
+        if (precision == Precision::twice && is_float(claimed) &&
+            Rational(double(float(CGAL::to_double(right)))) != right)
             shows_single =
                 shows_single || off <= slack * Rational(rounding(Precision::single) / rounding(Precision::twice));
         return false;
     }
 
-    /// The tolerance of a told end of a line.
+    /// The tolerance of a claimed end of a line.
     Rational open_end(double x) const { return Rational(x_slack * strictness(precision, x)); }
 
     std::size_t column(int x) const { return std::size_t(x - scene.area.x); }
@@ -283,7 +284,9 @@ std::optional<std::pair<Sample, Sample>> CurveTruth::ends(int curve) const {
     return Exactly::ends_of(exactly_->scene.curves[std::size_t(curve)]);
 }
 
-bool CurveTruth::same_height(double told, double right) const { return exactly_->is_right(told, Rational(right)); }
+bool CurveTruth::same_height(double claimed, double right) const {
+    return exactly_->is_right(claimed, Rational(right));
+}
 
 bool CurveTruth::shows_single() const { return exactly_->shows_single; }
 
@@ -292,10 +295,10 @@ std::optional<double> CurveTruth::horizon(int curve, When when, Side side, int x
     return cell ? std::optional(CGAL::to_double(*cell)) : std::nullopt;
 }
 
-bool CurveTruth::is_horizon(int curve, When when, Side side, int x, const std::optional<double>& told) const {
+bool CurveTruth::is_horizon(int curve, When when, Side side, int x, const std::optional<double>& claimed) const {
     const Cell& right = exactly_->horizon(curve, when, side)[exactly_->column(x)];
-    if (!right) return !told || is_beyond_all(side, *told);
-    return told && exactly_->is_right(*told, *right);
+    if (!right) return !claimed || is_beyond_all(side, *claimed);
+    return claimed && exactly_->is_right(*claimed, *right);
 }
 
 bool CurveTruth::is_beyond_all(Side side, double y) const {

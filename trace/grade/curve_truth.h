@@ -2,7 +2,7 @@
 /// rounding. SceneTruth is the equivalent for polygons.
 ///
 /// Rounding   An answer is open within the tolerance of the borderline: 2^10 units in the last place of the largest
-///            height, in float 2^6. A told number that is no float is judged as one of double.
+///            height, in float 2^6. A claimed number that is no float is judged as one of double.
 /// Touching   By the rule of vidno/floating_horizon/floating_horizon.h a point on a horizon is visible. A program may
 ///            also hide it.
 /// Beginning  Between a column over which there is a horizon and one over which there is none, a line may end anywhere.
@@ -42,8 +42,8 @@ public:
     bool is_on_curve(int curve, double x, double y) const;
     /// The same for the side edges that lead to the ends of the curve.
     bool is_on_edge(int curve, int x, double y) const;
-    /// Whether a told height is the right one.
-    bool same_height(double told, double right) const;
+    /// Whether a claimed height is the right one.
+    bool same_height(double claimed, double right) const;
 
     /// The outer ends of the curve's pieces; none if it has no piece.
     std::optional<std::pair<Sample, Sample>> ends(int curve) const;
@@ -51,7 +51,7 @@ public:
     /// A horizon over a column of the area, before or after a curve; none if there is none.
     std::optional<double> horizon(int curve, When when, Side side, int x) const;
     /// Whether the horizon is that one, within the tolerance. Where there is none, it may be beyond all heights.
-    bool is_horizon(int curve, When when, Side side, int x, const std::optional<double>& told) const;
+    bool is_horizon(int curve, When when, Side side, int x, const std::optional<double>& claimed) const;
     /// Whether the height lies beyond every curve on that side, so that a horizon may start there: an upper one below
     /// all, a lower one above all.
     bool is_beyond_all(Side side, double y) const;

@@ -41,7 +41,7 @@ void FloatingHorizonJudge::leave_curve(int curve, std::uint64_t begun, bool is_f
     const auto last = last_steps_.find(curve);
     if (last == last_steps_.end() || last->second != begun) return;
     judge_drawn(curve);
-    if (tells_horizons_ && is_farthest) judge_told_horizons(curve);
+    if (tells_horizons_ && is_farthest) judge_claimed_horizons(curve);
 }
 
 void FloatingHorizonJudge::judge_drawn(int curve) const {
@@ -58,7 +58,7 @@ void FloatingHorizonJudge::judge_drawn(int curve) const {
     if (truth_.leaves_out_touching(curve, parts)) differences_.insert(Difference::touching);
 }
 
-void FloatingHorizonJudge::judge_told_horizons(int curve) const {
+void FloatingHorizonJudge::judge_claimed_horizons(int curve) const {
     const Area& area = truth_.scene().area;
     const auto number = [](const std::optional<Value>& value) {
         return value ? std::optional(value->number) : std::nullopt;
@@ -66,12 +66,12 @@ void FloatingHorizonJudge::judge_told_horizons(int curve) const {
     for (int x = area.x; x < area.right(); ++x) {
         const auto column = std::size_t(x - area.x);
         for (const Side side : {Side::upper, Side::lower}) {
-            const auto told =
+            const auto claimed =
                 number((side == Side::upper ? state_.values().horizons.upper : state_.values().horizons.lower)[column]);
-            if (truth_.is_horizon(curve, When::after, side, x, told)) continue;
+            if (truth_.is_horizon(curve, When::after, side, x, claimed)) continue;
             throw False{
                 Symptom::horizon,
-                say({"curve {} is done, and {}", "кривая {} готова, {}"}, curve, horizon_in_words(side, x, told)),
+                say({"curve {} is done, and {}", "кривая {} готова, {}"}, curve, horizon_in_words(side, x, claimed)),
                 horizon_in_words(side, x, truth_.horizon(curve, When::after, side, x)), last_step_};
         }
     }
@@ -79,7 +79,7 @@ void FloatingHorizonJudge::judge_told_horizons(int curve) const {
 
 void FloatingHorizonJudge::finish() {
     if (state_.values().curve) leave_curve(curve(), begun_, curve() == farthest_);
-    if (tells_horizons_ && state_.values().curve && curve() != farthest_) judge_told_horizons(farthest_);
+    if (tells_horizons_ && state_.values().curve && curve() != farthest_) judge_claimed_horizons(farthest_);
     for (int c = 0; c < int(truth_.scene().curves.size()); ++c) judge_drawn(c);
 }
 
@@ -136,9 +136,9 @@ void FloatingHorizonJudge::judge(const event::Height& e) const {
     judge_column(e.x);
     judge_height(e.x, e.y.number);
     for (const auto& [side, value] : {std::pair(Side::upper, e.upper), std::pair(Side::lower, e.lower)}) {
-        const auto told = value ? std::optional(value->number) : std::nullopt;
-        if (truth_.is_horizon(curve(), When::before, side, e.x, told)) continue;
-        throw False{Symptom::horizon, horizon_in_words(side, e.x, told),
+        const auto claimed = value ? std::optional(value->number) : std::nullopt;
+        if (truth_.is_horizon(curve(), When::before, side, e.x, claimed)) continue;
+        throw False{Symptom::horizon, horizon_in_words(side, e.x, claimed),
                     say({"by the curves and edges before it {}", "по предыдущим кривым и рёбрам {}"},
                         horizon_in_words(side, e.x, truth_.horizon(curve(), When::before, side, e.x)))};
     }

@@ -53,7 +53,7 @@ private:
 
     void leave_curve(int curve, std::uint64_t begun, bool is_farthest) const;
     void judge_drawn(int curve) const;
-    void judge_told_horizons(int curve) const;
+    void judge_claimed_horizons(int curve) const;
     void judge_start(Side side, const std::optional<Value>& start) const;
     void judge_column(int x) const;
     void judge_height(double x, double y) const;

@@ -79,9 +79,9 @@ ProgramGrade judged(std::vector<SceneGrade> runs, std::size_t given, const Gradi
     for (auto& each : runs) {
         if (!each.judgement) continue;
         observed.push_back({&*each.run.header, &each.run.events, &*each.judgement, each.run.complete});
-        grade.told += told_by(method_of(*each.run.header), each.run.events);
+        grade.claims += claim_counts(method_of(*each.run.header), each.run.events);
     }
-    if (grading.detail != Detail::windows) grade.missing = missing_from(grade.told, grading.detail, grading.say);
+    if (grading.detail != Detail::windows) grade.missing = missing_from(grade.claims, grading.detail, grading.say);
     grade.deviation = deviation_of(observed, grade.precision);
     grade.scenes = std::move(runs);
     return grade;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "grade/claim_counts.h"
 #include "grade/mistakes.h"
 #include "grade/scenes.h"
 #include "grade/student_run.h"
-#include "grade/told.h"
 
 namespace vidno {
 
@@ -25,7 +25,7 @@ struct ProgramGrade {
     std::vector<SceneGrade> scenes;
     std::size_t given = 0;  // the number of scenes that it was to draw
     Precision precision = Precision::twice;
-    ClaimsTold told;
+    ClaimCounts claims;
     std::string missing;  // kinds of claims that the level asked for needs and no trace has; empty if none
     std::optional<Deviation> deviation;
 

@@ -67,7 +67,7 @@ void judge_by(Judge& judge, const std::vector<Event>& events, bool complete, aut
         // A claim about an earlier step is about what was done there, not about the event, which may be one that the
         // program need not report.
         const bool is_about_event = at != 0 && !claim.step;
-        all.push_back({{at, at == 0 ? "" : label_of(events[at - 1]), claim.told, claim.right, claim.symptom},
+        all.push_back({{at, at == 0 ? "" : label_of(events[at - 1]), claim.claimed, claim.right, claim.symptom},
                        {claim.symptom, judge.place() + (is_about_event ? polygon_of(events[at - 1]) : "")}});
     };
     const auto look_at = [&](std::uint64_t step, auto&& what) {

@@ -1,10 +1,10 @@
 /// Judge: checks the claims of a trace against the exact scene.
 ///
 /// A claim is, for example, the depth of a polygon at a point, that a window is empty, or the colour of a pixel. The
-/// judge checks the claims in the order of the trace. It requires no claim that the trace leaves out (told.h counts the
-/// claims), and it accepts any order of windows, polygons, lists and corners, any rule for points of an outline that
-/// scene_truth.h allows, and any of several equally near polygons. It lists these differences from our procedures. The
-/// verdict is the first false claim or, if there is none, a wrong pixel of the final picture.
+/// judge checks the claims in the order of the trace. It requires no claim that the trace leaves out (claim_counts.h
+/// counts the claims), and it accepts any order of windows, polygons, lists and corners, any rule for points of an
+/// outline that scene_truth.h allows, and any of several equally near polygons. It lists these differences from our
+/// procedures. The verdict is the first false claim or, if there is none, a wrong pixel of the final picture.
 #pragma once
 
 #include <array>
@@ -66,9 +66,9 @@ enum class Symptom : unsigned char {
 
 /// A claim that is false, in words.
 struct Wrong {
-    std::uint64_t step = 0;   // the number of events before it
-    std::string at;           // the label of the listing's line; empty if only the picture is wrong
-    std::string told, right;  // what the trace claims, and what is right
+    std::uint64_t step = 0;      // the number of events before it
+    std::string at;              // the label of the listing's line; empty if only the picture is wrong
+    std::string claimed, right;  // what the trace claims, and what is right
     Symptom symptom{};
 };
 

@@ -124,7 +124,7 @@ std::string details_of(const SceneGrade& grade, const Grading& grading) {
         const Wrong& wrong = *grade.judgement->wrong;
         text += "  " + place_of(wrong, say) + "\n" +
                 say({"    the program: {}\n    but:         {}\n", "    программа: {}\n    но:        {}\n"},
-                    wrong.told, wrong.right);
+                    wrong.claimed, wrong.right);
     }
     return text + said_by(run.ended.said);
 }
@@ -134,12 +134,12 @@ std::string without_controls(const std::string& text) { return escaped_for_termi
 
 std::string verdict_of(const ProgramGrade& grade, const Words& say) {
     const int count = int(grade.scenes.size()), wrong = int(grade.wrong());
-    const std::string told = in_words(grade.told, say);
+    const std::string claimed = in_words(grade.claims, say);
     if (wrong == 0 && count > 1)
         return say({"Right on all {} scenes, as far as reported: {}.\n",
                     "Верно на всех сценах ({}), насколько сообщено: {}.\n"},
-                   count, told);
-    if (wrong == 0) return say({"Right, as far as reported: {}.\n", "Верно, насколько сообщено: {}.\n"}, told);
+                   count, claimed);
+    if (wrong == 0) return say({"Right, as far as reported: {}.\n", "Верно, насколько сообщено: {}.\n"}, claimed);
     return say({"Wrong on {} of {}, first on {}:\n", "Неверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
                quoted(name_of(grade.first_wrong()->scene), say));
 }

@@ -193,15 +193,15 @@ struct SceneTruth::Exactly {
     }
 
     /// A tolerance for a number that the program tells.
-    double open(double tolerance, double told) const { return tolerance * strictness(precision, told); }
+    double open(double tolerance, double claimed) const { return tolerance * strictness(precision, claimed); }
 
     /// Depths of a program in double are floats only if the right ones are.
-    void look_for_single(const Rational& right, double told, double tolerance) const {
-        if (precision == Precision::single || !is_float(told) ||
+    void look_for_single(const Rational& right, double claimed, double tolerance) const {
+        if (precision == Precision::single || !is_float(claimed) ||
             Rational(double(float(CGAL::to_double(right)))) == right)
             return;
         const double single = tolerance * rounding(Precision::single) / rounding(Precision::twice);
-        shows_single = shows_single || magnitude(right - Rational(told)) <= Rational(single);
+        shows_single = shows_single || magnitude(right - Rational(claimed)) <= Rational(single);
     }
 
     /// The side of the line from -> to on which p lies: 1, -1, or 0 if p is within about `open` of the line.
@@ -359,8 +359,8 @@ int SceneTruth::nearer(int polygon, int than, double x, double y) const {
     return before > 0 ? 1 : -1;
 }
 
-bool SceneTruth::same_depth(double told, double right, double times) const {
-    return std::abs(told - right) * times <= 2 * exactly_->open(exactly_->most_depth_slack(), told);
+bool SceneTruth::same_depth(double claimed, double right, double times) const {
+    return std::abs(claimed - right) * times <= 2 * exactly_->open(exactly_->most_depth_slack(), claimed);
 }
 
 bool SceneTruth::nearly_equal(double z, double other) const {
@@ -377,7 +377,7 @@ bool SceneTruth::is_plane(int polygon, const std::array<double, 4>& plane) const
     const Rational a(plane[0]), b(plane[1]), c(plane[2]), d(plane[3]);
     const ExactPolygon& own = exactly_->at(polygon);
     double open = own.depth_slack;
-    for (const double told : plane) open = std::min(open, exactly_->open(own.depth_slack, told));
+    for (const double claimed : plane) open = std::min(open, exactly_->open(own.depth_slack, claimed));
     const auto holds = [&](const Point2& p) {
         const Rational z = -(a * p.x + b * p.y + d) / c;
         return magnitude(z - own.depth(p)) <= Rational(open);
@@ -437,8 +437,8 @@ std::optional<SceneTruth::Ends> SceneTruth::ends(int polygon, double y) const {
 }
 
 // On a nearly horizontal edge, x changes much faster than y, which multiplies the tolerance.
-bool SceneTruth::same_coordinate(double told, double right, double times) const {
-    return std::abs(told - right) * times <= 64 * exactly_->open(exactly_->slack, told);
+bool SceneTruth::same_coordinate(double claimed, double right, double times) const {
+    return std::abs(claimed - right) * times <= 64 * exactly_->open(exactly_->slack, claimed);
 }
 
 double SceneTruth::coincidence() const { return 64 * exactly_->slack; }
@@ -491,7 +491,7 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return std::nullopt;
     double open = 64 * exactly_->slack;
-    Outline2 told;
+    Outline2 claimed;
     for (const auto& v : vertices) {
         const std::string name = say.point(v.x, v.y, v.z);
         if (!std::isfinite(v.x + v.y + v.z)) return say({"{} is not a point", "{} — не точка"}, name);
@@ -508,12 +508,12 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
                         "{} не лежит в плоскости многоугольника: его глубина там равна {}"},
                        name, depth(polygon, v.x, v.y));
         }
-        told.push_back({v.x, v.y});
+        claimed.push_back({v.x, v.y});
     }
     const Rational right = twice_area(part_of(own.outline, window));
-    const Rational area = magnitude(twice_area(told));
+    const Rational area = magnitude(twice_area(claimed));
     if (magnitude(right - area) <= Rational(open) * Rational(4 * (window.width + window.height))) return std::nullopt;
-    if (told.empty()) {
+    if (claimed.empty()) {
         return say({"nothing is left of it, but its part in the window has an area of {}",
                     "от него ничего не осталось, а в окне лежит площадь {}"},
                    CGAL::to_double(right) / 2);
@@ -574,11 +574,11 @@ double SceneTruth::area_in(int polygon, const Window& window) const {
 }
 
 /// In double it covers slivers that a program drops, too.
-bool SceneTruth::same_area(double told, double right, bool in_floats) const {
+bool SceneTruth::same_area(double claimed, double right, bool in_floats) const {
     const Area& area = scene().area;
     const bool is_single = exactly_->precision == Precision::single && in_floats;
     const double open = is_single ? 4 * rounding(Precision::single) : 64 * rounding(Precision::twice);
-    return std::abs(told - right) <=
+    return std::abs(claimed - right) <=
            open * exactly_->largest * (area.width + area.height) * double(scene().polygons.size() + 1);
 }
 

@@ -36,9 +36,9 @@ inline bool is_float(double value) { return double(float(value)) == value; }
 
 /// The tolerance of a program of that precision, in units of the largest value.
 inline double rounding(Precision precision) { return precision == Precision::single ? 0x1p-18 : 0x1p-43; }
-/// By how much the tolerance of a told number is less than that of its program.
-inline double strictness(Precision precision, double told) {
-    return precision == Precision::single && !is_float(told) ? rounding(Precision::twice) / rounding(precision) : 1;
+/// By how much the tolerance of a claimed number is less than that of its program.
+inline double strictness(Precision precision, double claimed) {
+    return precision == Precision::single && !is_float(claimed) ? rounding(Precision::twice) / rounding(precision) : 1;
 }
 
 /// What may be seen at the centre of a pixel.
@@ -76,8 +76,8 @@ public:
     bool is_depth(int polygon, double x, double y, double z) const;
     /// 1 if `polygon` is nearer at the point, -1 if `than` is, 0 if the depths agree within the tolerance.
     int nearer(int polygon, int than, double x, double y) const;
-    /// Whether a told depth is the right one. An error may have been multiplied by `times`.
-    bool same_depth(double told, double right, double times = 1) const;
+    /// Whether a claimed depth is the right one. An error may have been multiplied by `times`.
+    bool same_depth(double claimed, double right, double times = 1) const;
     /// Whether two depths that a program computed and stored agree within the tolerance.
     bool nearly_equal(double z, double other) const;
     /// Whether a program that compares these depths may take either for the nearer one. It compares what it tells, up
@@ -105,9 +105,9 @@ public:
     std::optional<Crossing> crossing(int polygon, int edge, double y) const;
     /// The left and the right end of the polygon on the horizontal line at y; none if the line misses the polygon.
     std::optional<Ends> ends(int polygon, double y) const;
-    /// Whether a told coordinate is the right one, within 64 times the tolerance. An error may have been multiplied by
-    /// `times`.
-    bool same_coordinate(double told, double right, double times = 1) const;
+    /// Whether a claimed coordinate is the right one, within 64 times the tolerance. An error may have been multiplied
+    /// by `times`.
+    bool same_coordinate(double claimed, double right, double times = 1) const;
     /// Whether a program may take two coordinates for the same: they differ by at most `coincidence`, 64 times the
     /// tolerance.
     bool may_coincide(double v, double w) const { return std::abs(v - w) <= coincidence(); }
@@ -148,8 +148,8 @@ public:
     double area_in(int polygon, const Window& window) const;
     /// The area that the polygons cover together.
     double covered_area() const;
-    /// Whether two areas agree within the tolerance. `in_floats`: all regions that make the told one are.
-    bool same_area(double told, double right, bool in_floats) const;
+    /// Whether two areas agree within the tolerance. `in_floats`: all regions that make the claimed one are.
+    bool same_area(double claimed, double right, bool in_floats) const;
     /// Whether a float has each coordinate of the region.
     static bool in_floats(const RegionLoops& region);
     /// Whether the point lies in the polygon or, within the tolerance of a clipped vertex, on its outline.

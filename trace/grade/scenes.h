@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// Small scenes, the ordinary ones first. The name of each states its idea. Depths that must be told apart differ by
+/// Small scenes, the ordinary ones first. The name of each states its idea. Depths that must be distinguished differ by
 /// 1e-7 to 1.
 std::vector<AdmittedScene> scenes_to_grade(Language language = Language::english);
 

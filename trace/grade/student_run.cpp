@@ -118,18 +118,18 @@ StudentRun run_student(const std::filesystem::path& program, const std::vector<D
     return run;
 }
 
-bool same_scene(const Scene& told, const Scene& given) {
-    if (!(told.area == given.area) || told.background != given.background) return false;
+bool same_scene(const Scene& claimed, const Scene& given) {
+    if (!(claimed.area == given.area) || claimed.background != given.background) return false;
     std::map<Places, int> surplus;
-    for (const auto& polygon : told.polygons) ++surplus[sorted_vertices(polygon)];
+    for (const auto& polygon : claimed.polygons) ++surplus[sorted_vertices(polygon)];
     for (const auto& polygon : given.polygons) --surplus[sorted_vertices(polygon)];
     return std::all_of(surplus.begin(), surplus.end(), [](const auto& each) { return each.second == 0; });
 }
 
-bool same_scene(const DrawnScene& told, const DrawnScene& given) {
-    if (told.index() != given.index()) return false;
-    if (const auto* surface = std::get_if<Surface>(&told)) return surface->curves == std::get<Surface>(given).curves;
-    return same_scene(std::get<Scene>(told), std::get<Scene>(given));
+bool same_scene(const DrawnScene& claimed, const DrawnScene& given) {
+    if (claimed.index() != given.index()) return false;
+    if (const auto* surface = std::get_if<Surface>(&claimed)) return surface->curves == std::get<Surface>(given).curves;
+    return same_scene(std::get<Scene>(claimed), std::get<Scene>(given));
 }
 
 }  // namespace vidno

@@ -38,8 +38,8 @@ StudentRun run_student(const std::filesystem::path& program, const std::vector<D
 
 /// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either
 /// direction.
-bool same_scene(const Scene& told, const Scene& given);
+bool same_scene(const Scene& claimed, const Scene& given);
 /// The same for scenes of either kind. Curves must be the same.
-bool same_scene(const DrawnScene& told, const DrawnScene& given);
+bool same_scene(const DrawnScene& claimed, const DrawnScene& given);
 
 }  // namespace vidno

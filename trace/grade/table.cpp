@@ -44,9 +44,9 @@ std::string as_csv(const std::string& program, const ProgramGrade& grade, const 
     const Wrong* claim = first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
     return line_of({program, std::string(grade.right() ? said_right : said_wrong), std::to_string(grade.scenes.size()),
                     std::to_string(grade.wrong()), first ? name_of(first->scene) : "",
-                    claim ? std::to_string(claim->step) : "", claim ? claim->at : "", claim ? claim->told : "",
+                    claim ? std::to_string(claim->step) : "", claim ? claim->at : "", claim ? claim->claimed : "",
                     claim ? claim->right : "", grade.deviation ? name_of(*grade.deviation) : "",
-                    in_words(grade.told, say), grade.missing});
+                    in_words(grade.claims, say), grade.missing});
 }
 
 std::string as_json(const std::string& program, const ProgramGrade& grade, const Words& say) {
@@ -57,11 +57,12 @@ std::string as_json(const std::string& program, const ProgramGrade& grade, const
         entry["first"] = {{"scene", name_of(first->scene)}};
         if (first->judgement && first->judgement->wrong) {
             const Wrong& claim = *first->judgement->wrong;
-            entry["first"].update({{"step", claim.step}, {"at", claim.at}, {"says", claim.told}, {"but", claim.right}});
+            entry["first"].update(
+                {{"step", claim.step}, {"at", claim.at}, {"says", claim.claimed}, {"but", claim.right}});
         }
     }
     if (grade.deviation) entry["mistake"] = name_of(*grade.deviation);
-    for (const auto& [kind, count] : grade.told.counts) entry["told"][std::string(say.of(kind->name))] = count;
+    for (const auto& [kind, count] : grade.claims.counts) entry["told"][std::string(say.of(kind->name))] = count;
     if (!grade.missing.empty()) entry["missing"] = grade.missing;
     return text_of(entry);
 }

@@ -51,13 +51,13 @@ void WarnockJudge::judge_shown(int column, int row, Color color) {
     judge_pixel(column, row, color);
 }
 
-void WarnockJudge::judge_in_window(int column, int row, const std::string& told) const {
+void WarnockJudge::judge_in_window(int column, int row, const std::string& claimed) const {
     const bool is_in = scene().area.contains(column, row) && column >= std::floor(window_.x) &&
                        column < std::ceil(window_.right()) && row >= std::floor(window_.y) &&
                        row < std::ceil(window_.bottom());
     if (is_in) return;
     throw False{
-        Symptom::off_window, told,
+        Symptom::off_window, claimed,
         say({"pixel {} is not in the window {}", "пиксель {} не лежит в окне {}"}, pixel(column, row), window_)};
 }
 
@@ -89,13 +89,13 @@ void WarnockJudge::judge_parts() {
     }
     if (decided_ != Case::split || tree_.empty() || tree_.parts().size() < 2) return;
     const WindowParts halves = parts_of(window_);
-    std::vector<Window> usual(halves.begin(), halves.end()), told = tree_.parts();
+    std::vector<Window> usual(halves.begin(), halves.end()), claimed = tree_.parts();
     const auto off = [&](const Window& part) { return off_area(part, scene().area); };
     std::erase_if(usual, off);
-    std::erase_if(told, off);
-    if (told == usual) return;
-    note(std::is_permutation(told.begin(), told.end(), usual.begin(), usual.end()) ? Difference::order_of_parts
-                                                                                   : Difference::other_windows);
+    std::erase_if(claimed, off);
+    if (claimed == usual) return;
+    note(std::is_permutation(claimed.begin(), claimed.end(), usual.begin(), usual.end()) ? Difference::order_of_parts
+                                                                                         : Difference::other_windows);
 }
 
 void WarnockJudge::judge(const event::Pop& e) {
@@ -276,25 +276,25 @@ void WarnockJudge::judge(const event::Surround& e) {
 }
 
 void WarnockJudge::judge(const event::Orient& e) {
-    const int p = e.polygon.index, told = int(e.sign);
+    const int p = e.polygon.index, claimed = int(e.sign);
     judge_edge(p, e.edge);
     const int side = truth().side(p, e.edge, e.point.x.number, e.point.y.number);
     const std::string claim =
         say({"the sign for edge {} of {} and {} is {}", "знак для ребра {} многоугольника {} и точки {} равен {}"},
-            e.edge, id(p), say.point(e.point.x.number, e.point.y.number), told);
-    if (sign_of(e.value.number) != told) {
+            e.edge, id(p), say.point(e.point.x.number, e.point.y.number), claimed);
+    if (sign_of(e.value.number) != claimed) {
         throw False{Symptom::point_in_polygon, claim,
                     say({"its value is {}", "само значение равно {}"}, e.value.number)};
     }
     if (side == 0 || !truth().has_inside(p)) return;
-    if (told == 0) {
+    if (claimed == 0) {
         throw False{Symptom::point_in_polygon, claim,
                     say({"the point is not on that edge's line", "точка не лежит на прямой этого ребра"})};
     }
-    const int convention = orientations_.try_emplace(p, told * side).first->second;
-    if (convention == told * side) return;
+    const int convention = orientations_.try_emplace(p, claimed * side).first->second;
+    if (convention == claimed * side) return;
     throw False{Symptom::point_in_polygon, claim,
-                say({"by the signs before it would be {}", "судя по прежним знакам, он должен быть {}"}, -told)};
+                say({"by the signs before it would be {}", "судя по прежним знакам, он должен быть {}"}, -claimed)};
 }
 
 void WarnockJudge::judge(const event::Mark& e) const {
@@ -309,16 +309,16 @@ void WarnockJudge::judge(const event::Cover& e) {
     const int p = e.polygon.index;
     has_surround_ = true;
     if (!truth().has_inside(p)) return;
-    const std::string told =
+    const std::string claimed =
         say({"{} surrounds the window {} and is the nearest so far", "{} охватывает окно {} и ближе всех предыдущих"},
             id(p), window_);
     if (!truth().holds(p, truth().in_area(window_)))
-        throw False{Symptom::surrounded, told, say({"it does not surround it", "он его не охватывает"})};
+        throw False{Symptom::surrounded, claimed, say({"it does not surround it", "он его не охватывает"})};
     for (const int q : counted_) {
         if (q == p || !truth().has_inside(q)) continue;
         for (const auto& [x, y] : corners_of(window_)) {
             if (truth().nearer(q, p, x, y) <= 0) continue;
-            throw False{Symptom::surrounded, told,
+            throw False{Symptom::surrounded, claimed,
                         say({"{} is nearer at the corner {}", "{} ближе в углу {}"}, id(q), say.point(x, y))};
         }
     }
@@ -355,13 +355,14 @@ void WarnockJudge::judge(const event::Summary& e) {
 }
 
 void WarnockJudge::judge_surrounded(Color color) {
-    const std::string told = say({"{} hides everything else in the window {}", "{} закрывает всё остальное в окне {}"},
-                                 owner_of(color), window_);
+    const std::string claimed =
+        say({"{} hides everything else in the window {}", "{} закрывает всё остальное в окне {}"}, owner_of(color),
+            window_);
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, color)) return;
         const bool overlooked = overlooks(column, row);
         const int right = truth().seen(column, row).by_rule;
-        throw False{overlooked ? Symptom::overlooked : Symptom::surrounded, told,
+        throw False{overlooked ? Symptom::overlooked : Symptom::surrounded, claimed,
                     why_not(column, row, color) + (overlooked ? say(not_looked_at, id(right)) : "")};
     });
     if (!is_pixel()) judge_surrounds(color);
@@ -390,16 +391,17 @@ void WarnockJudge::judge_surrounds(Color color) const {
 }
 
 void WarnockJudge::judge_empty() {
-    const std::string told = say({"the window {} is empty", "окно {} пусто"}, window_);
+    const std::string claimed = say({"the window {} is empty", "окно {} пусто"}, window_);
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, scene().background)) return;
         const bool known = tells_counts_ && !overlooks(column, row);
-        throw False{known ? Symptom::not_plain : Symptom::overlooked, told, why_not(column, row, scene().background)};
+        throw False{known ? Symptom::not_plain : Symptom::overlooked, claimed,
+                    why_not(column, row, scene().background)};
     });
     if (is_pixel()) return;
     for (int p = 0; p < int(scene().polygons.size()); ++p) {
         if (!truth().meets(p, truth().in_area(window_))) continue;
-        throw False{Symptom::not_plain, told, say({"{} has a part in it", "в нём лежит часть {}"}, id(p))};
+        throw False{Symptom::not_plain, claimed, say({"{} has a part in it", "в нём лежит часть {}"}, id(p))};
     }
 }
 
@@ -473,10 +475,10 @@ void WarnockJudge::judge(const event::Decide& e) {
 
 void WarnockJudge::judge(const event::Fill& e) {
     const auto& r = e.rect;
-    const std::string told = say({"the pixels {} take {}", "пиксели {} получают цвет: {}"}, r, owner_of(e.color));
+    const std::string claimed = say({"the pixels {} take {}", "пиксели {} получают цвет: {}"}, r, owner_of(e.color));
     for (int row = r.y; row < r.y + r.height; ++row) {
         for (int column = r.x; column < r.x + r.width; ++column) {
-            judge_in_window(column, row, told);
+            judge_in_window(column, row, claimed);
             painted_.insert({column, row});
         }
     }
@@ -554,12 +556,12 @@ int WarnockJudge::beyond_side(const ValueVertex& v) const {
 }
 
 void WarnockJudge::judge(const event::ClipSign& e) const {
-    const int told = int(e.sign), right = beyond_side(e.vertex);
+    const int claimed = int(e.sign), right = beyond_side(e.vertex);
     const std::string vertex = say.point(e.vertex.x.number, e.vertex.y.number);
-    const std::string claim = say({"the sign for {} is {}", "знак для {} равен {}"}, vertex, told);
-    if (sign_of(e.value.number) != told)
+    const std::string claim = say({"the sign for {} is {}", "знак для {} равен {}"}, vertex, claimed);
+    if (sign_of(e.value.number) != claimed)
         throw False{Symptom::clipped_inside, claim, say({"its value is {}", "само значение равно {}"}, e.value.number)};
-    if (right == 0 || told == right) return;
+    if (right == 0 || claimed == right) return;
     throw False{Symptom::clipped_inside, claim,
                 right > 0
                     ? say({"it lies outside of the window {} by the current side, where signs are positive",
@@ -642,11 +644,11 @@ void WarnockJudge::judge(const event::Draw& e) {
     bool any = false;
     for (const auto& run : e.runs) {
         for (int column = run.first; column < run.end; ++column) {
-            const std::string told =
+            const std::string claimed =
                 say({"{} is drawn at pixel {}", "{} рисуется в пикселе {}"}, id(p), pixel(column, run.row));
-            judge_in_window(column, run.row, told);
+            judge_in_window(column, run.row, claimed);
             if (truth().place(p, column + 0.5, run.row + 0.5) == SceneTruth::Place::outside) {
-                throw False{Symptom::off_polygon, told, why_not(column, run.row, e.color)};
+                throw False{Symptom::off_polygon, claimed, why_not(column, run.row, e.color)};
             }
             painted_.insert({column, run.row});
             any = true;

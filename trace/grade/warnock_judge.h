@@ -71,7 +71,7 @@ private:
     void judge_single();
     void judge_follows(Case which) const;
     void judge_rows(int polygon);
-    void judge_in_window(int column, int row, const std::string& told) const;
+    void judge_in_window(int column, int row, const std::string& claimed) const;
     void judge_parts();
     void judge_side_number(const event::ClipSide& e) const;
     std::string side_in_words(const event::ClipSide& e) const;

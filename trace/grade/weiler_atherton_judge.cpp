@@ -89,9 +89,9 @@ void WeilerAthertonJudge::judge(const event::CutToArea& e) const {
     if (!truth().has_inside(p)) return;
     const std::string part = say({"the part of {} in the area", "часть {} в области"}, id(p));
     judge_region(p, e.region, part);
-    const double told = SceneTruth::area_of(e.region), right = truth().area_in(p, whole_area(scene().area));
-    if (truth().same_area(told, right, SceneTruth::in_floats(e.region))) return;
-    throw False{Symptom::region, say({"{} has the area {}", "{}: площадь {}"}, part, told),
+    const double claimed = SceneTruth::area_of(e.region), right = truth().area_in(p, whole_area(scene().area));
+    if (truth().same_area(claimed, right, SceneTruth::in_floats(e.region))) return;
+    throw False{Symptom::region, say({"{} has the area {}", "{}: площадь {}"}, part, claimed),
                 say({"its area is {}", "её площадь {}"}, right)};
 }
 
@@ -163,18 +163,18 @@ void WeilerAthertonJudge::judge(const event::Show& e) {
     if (!truth().has_inside(p)) return;
     const std::string region = say({"the visible region of {}", "видимая область {}"}, id(p));
     judge_region(p, e.region, region);
-    const std::string told = say({"{} is visible in a region of area {}", "{} виден в области площадью {}"}, id(p),
-                                 SceneTruth::area_of(e.region));
+    const std::string claimed = say({"{} is visible in a region of area {}", "{} виден в области площадью {}"}, id(p),
+                                    SceneTruth::area_of(e.region));
     if (const auto hidden = truth().hidden_by(p, e.region)) {
         throw False{
-            Symptom::region, told,
+            Symptom::region, claimed,
             say({"{} is nearer in {} of it", "{} ближе в части площадью {}"}, id(hidden->first), hidden->second) +
                 lost_};
     }
     for (const auto& before : state().weiler_atherton().visible()) {
         const double common = truth().common_area(e.region, before->region);
         if (truth().same_area(common, 0, SceneTruth::in_floats(e.region))) continue;
-        throw False{Symptom::region, told,
+        throw False{Symptom::region, claimed,
                     say({"{} of it is in a visible region of {} that was shown before",
                          "из неё площадь {} лежит в уже показанной видимой области {}"},
                         common, id(before->polygon.index))};

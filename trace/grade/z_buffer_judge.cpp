@@ -65,9 +65,9 @@ void ZBufferJudge::judge(const event::Depth& e) const {
 void ZBufferJudge::judge(const event::Edge& e) const {
     if (!polygon_) return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
-    const auto is = [&](const ValueVertex& told, std::size_t i) {
+    const auto is = [&](const ValueVertex& claimed, std::size_t i) {
         const auto& v = vertices[i % vertices.size()];
-        return truth().same_coordinate(told.x.number, v.x) && truth().same_coordinate(told.y.number, v.y);
+        return truth().same_coordinate(claimed.x.number, v.x) && truth().same_coordinate(claimed.y.number, v.y);
     };
     const auto i = std::size_t(e.edge);
     if (i < vertices.size() && ((is(e.from, i) && is(e.to, i + 1)) || (is(e.from, i + 1) && is(e.to, i)))) return;
@@ -256,17 +256,17 @@ void ZBufferJudge::judge(const event::ShownLine& e) {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     const double y = state().z_buffer().last().y && state().z_buffer().last().row == e.row ? height() : e.row + 0.5;
     const auto right = truth().ends(*polygon_, y);
-    const std::string told = say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"},
-                                 e.row, id(*polygon_), e.from.x.number, e.to.x.number);
+    const std::string claimed = say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"},
+                                    e.row, id(*polygon_), e.from.x.number, e.to.x.number);
     if (!right) {
-        throw False{Symptom::edge, told,
+        throw False{Symptom::edge, claimed,
                     say({"it does not meet that row's line, y = {}", "он не пересекает линию этой строки, y = {}"}, y)};
     }
     const auto& [from, to] = e.from.x.number <= e.to.x.number ? std::pair(e.from, e.to) : std::pair(e.to, e.from);
     const bool is_whole = is_row(y, from.x.number, to.x.number, *right, whole_area(scene().area));
     ends_ = is_whole ? *right : SceneTruth::Ends{{from.x.number, from.y.number}, {to.x.number, to.y.number}};
     if (!is_whole && !is_part_of_row(from.x.number, to.x.number, y)) {
-        throw False{Symptom::edge, told,
+        throw False{Symptom::edge, claimed,
                     say({"it goes from {} to {}", "он занимает от {} до {}"}, right->first.x, right->second.x)};
     }
     // The second coordinate of such a point is its z.

@@ -30,9 +30,9 @@ void check_corners(const MeshSoup& soup) {
 
 /// What the file has instead of faces.
 std::string without_faces(const MeshSoup& soup) {
-    std::string told = "contains no faces, only " + counted(soup.points.size(), "vertex", "vertices");
-    for (const auto& [what, where] : soup.left_out.losses()) told += "; " + where + ": " + what;
-    return told;
+    std::string text = "contains no faces, only " + counted(soup.points.size(), "vertex", "vertices");
+    for (const auto& [what, where] : soup.left_out.losses()) text += "; " + where + ": " + what;
+    return text;
 }
 
 bool is_between_0_and_1(const std::optional<WrittenColor>& color) {

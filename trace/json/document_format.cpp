@@ -44,10 +44,10 @@ public:
     bool key(string_t& name) override {
         if (depth_ != 1) return true;
         is_format_ = name == "format";
-        const auto told = std::find_if(telling_keys.begin(), telling_keys.end(),
-                                       [&](const auto& telling) { return telling.first == name; });
-        if (told == telling_keys.end()) return true;
-        format = told->second;
+        const auto known = std::find_if(telling_keys.begin(), telling_keys.end(),
+                                        [&](const auto& telling) { return telling.first == name; });
+        if (known == telling_keys.end()) return true;
+        format = known->second;
         return false;
     }
     bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }

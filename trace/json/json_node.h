@@ -89,7 +89,7 @@ auto read_json(std::string_view text, const std::string& file, auto&& read) {
         const nlohmann::json document = parse_json(text);
         return read(JsonNode(document));
     } catch (const Misread& misread) {
-        throw Refused(told_with_places(misread, text, file));
+        throw Refused(text_with_places(misread, text, file));
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());
     }

@@ -102,10 +102,10 @@ private:
 
 }  // namespace
 
-std::string JsonFault::told() const { return pointer.empty() ? reason : pointer + ": " + reason; }
+std::string JsonFault::in_words() const { return pointer.empty() ? reason : pointer + ": " + reason; }
 
 Misread::Misread(JsonFault fault) : Misread(std::vector{std::move(fault)}) {}
-Misread::Misread(std::vector<JsonFault> all) : Refused(all.at(0).told()), faults(std::move(all)) {}
+Misread::Misread(std::vector<JsonFault> all) : Refused(all.at(0).in_words()), faults(std::move(all)) {}
 
 void Faults::settle() const {
     if (!faults_.empty()) throw Misread(faults_);
@@ -163,17 +163,18 @@ std::size_t position_of(const JsonFault& fault, std::string_view text) {
     return place.at();
 }
 
-std::string told_with_places(const Misread& misread, std::string_view text, const std::string& file) {
+std::string text_with_places(const Misread& misread, std::string_view text, const std::string& file) {
     std::vector<std::pair<std::size_t, const JsonFault*>> placed;
     for (const auto& fault : misread.faults) placed.emplace_back(position_of(fault, text), &fault);
     const auto is_before = [](const auto& one, const auto& other) { return one.first < other.first; };
     std::stable_sort(placed.begin(), placed.end(), is_before);
-    std::string told;
+    std::string text_of_faults;
     for (const auto& [position, fault] : placed) {
-        told += (told.empty() ? "" : "\n") + file + ": " + line_and_column(text, position) + ": " + fault->told();
+        text_of_faults += (text_of_faults.empty() ? "" : "\n") + file + ": " + line_and_column(text, position) + ": " +
+                          fault->in_words();
     }
-    if (placed.size() >= Faults::most) told += '\n' + file + ": there may be more faults: reading ended here";
-    return told;
+    if (placed.size() >= Faults::most) text_of_faults += '\n' + file + ": there may be more faults: reading ended here";
+    return text_of_faults;
 }
 
 }  // namespace vidno

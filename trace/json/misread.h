@@ -19,7 +19,7 @@ struct JsonFault {
     At at = At::value;
 
     /// "/polygons/0/color: not a string"
-    std::string told() const;
+    std::string in_words() const;
 };
 
 /// A document with errors. When it is thrown, its message is the first fault.
@@ -75,6 +75,6 @@ std::string line_and_column(std::string_view text, std::size_t position);
 std::size_t position_of(const JsonFault& fault, std::string_view text);
 
 /// The faults in the order of the text, one per line: file, line and column, path in the document, reason.
-std::string told_with_places(const Misread& misread, std::string_view text, const std::string& file);
+std::string text_with_places(const Misread& misread, std::string_view text, const std::string& file);
 
 }  // namespace vidno

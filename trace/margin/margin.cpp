@@ -137,7 +137,7 @@ void Collector::follow(const EventView& event) {
         found_ = true;
         procedure_ = running_.back();
     }
-    event.visit([&](const auto& told) { hear(told); });
+    event.visit([&](const auto& e) { hear(e); });
     if (const auto* call = event.get_if<event::Call>()) {
         running_.push_back(call->of);
         if (!found_ && has_signs(call->of)) signs_.clear();
@@ -165,8 +165,11 @@ void Collector::hear(const event::Orient& orient) {
     if (!has_signs(running_.back())) return;
     const Place from = place(orient.polygon, orient.edge);
     const Place to = place(orient.polygon, next(orient.polygon, orient.edge));
-    add(cross(from, to, constant(orient.point)),
-        {.at = orient.at, .polygon = orient.polygon, .edge = orient.edge, .point = orient.point, .told = orient.sign});
+    add(cross(from, to, constant(orient.point)), {.at = orient.at,
+                                                  .polygon = orient.polygon,
+                                                  .edge = orient.edge,
+                                                  .point = orient.point,
+                                                  .in_run = orient.sign});
 }
 
 void Collector::hear(const event::ClipBegin& begin) {
@@ -231,12 +234,12 @@ void Collector::hear(const event::ClipSign& sign) {
     const int side = int(sides_.size()) - 1;
     OutlineVertex& at = outline_[next_];
     const LinearForm value = beyond(side, at);
-    StepSign told{.at = sign.at, .polygon = clipped_, .vertex = at.vertex, .side = side + 1, .told = sign.sign};
+    StepSign step{.at = sign.at, .polygon = clipped_, .vertex = at.vertex, .side = side + 1, .in_run = sign.sign};
     if (!at.vertex) {
-        if (!at.edges.empty()) told.edge = *at.edges.begin();
-        told.cut = at.cut_at.front() + 1;
+        if (!at.edges.empty()) step.edge = *at.edges.begin();
+        step.cut = at.cut_at.front() + 1;
     }
-    add(value, told);
+    add(value, step);
     if (signs_.back().sign.sign == Sign::zero) at.sides.insert(side);
     from_ = to_;
     to_ = at;
@@ -343,15 +346,15 @@ Margin margin_of(const RunRequest& request, std::uint64_t step, PolygonPlace pol
     if (request.edition != Edition::corrected) throw Refused("margins are available only for the corrected procedures");
     Collector collector(request, step, polygon, vertex);
     struct Done {};
-    HeardBy sink([&](const EventView& event) {
+    FunctionSink sink([&](const EventView& event) {
         collector.follow(event);
         if (collector.is_done()) throw Done{};
     });
-    RunRequest told = request;
-    told.detail = Detail::signs;
-    told.sink = &sink;
+    RunRequest traced = request;
+    traced.detail = Detail::signs;
+    traced.sink = &sink;
     try {
-        told_run(told);
+        traced_run(traced);
     } catch (const Done&) {
         // Events after the step do not matter.
     }

@@ -27,7 +27,7 @@ struct StepSign {
     std::optional<ValuePoint> point{};
     std::optional<int> cut{}, side{};  // 1 to 4: top, left, bottom, right, in the order of PolygonClip
     Sign sign{};                       // in exact arithmetic
-    Sign told{};                       // in the run
+    Sign in_run{};                     // in the run
 };
 
 /// The signs do not change where a x + b y + c has this sign; beyond, those of `flips` change. The first of a and b

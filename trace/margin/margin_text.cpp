@@ -78,7 +78,7 @@ std::string text_of(const StepSign& sign, const Scene& scene) {
     constexpr std::array<std::string_view, 3> words{"negative", "zero", "positive"};
     std::string text = happening(sign, scene) + ": the sign at step " + std::to_string(sign.step) + ", " +
                        std::string(name_of(sign.at)) + ", is " + std::string(words[place_of(sign.sign)]);
-    if (sign.told != sign.sign) text += " and computed as " + std::string(words[place_of(sign.told)]);
+    if (sign.in_run != sign.sign) text += " and computed as " + std::string(words[place_of(sign.in_run)]);
     return text;
 }
 
@@ -137,7 +137,7 @@ void append_sign(Text& out, const StepSign& sign, const Scene& scene) {
     append_member(out, "cut", sign.cut);
     append_member(out, "side", sign.side);
     append_member(out, "sign", sign.sign);
-    append_member(out, "told", sign.told);
+    append_member(out, "told", sign.in_run);
     out += '}';
 }
 

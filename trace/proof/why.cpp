@@ -66,7 +66,7 @@ std::optional<Passing> passing(const PolygonAtPixel& polygon, std::size_t edge, 
     return Passing{int(edge), false, Rational(p.y + dy * (at.x - p.x) / dx - at.y)};
 }
 
-PassingEdge told(const Passing& passing) {
+PassingEdge as_shown(const Passing& passing) {
     return {passing.edge, passing.in_row, Sign{int(CGAL::sign(passing.offset))}, {Exact::fraction(passing.away())}};
 }
 
@@ -126,10 +126,10 @@ AtPixel Reasons::at(int x, int y, int polygon, std::optional<int> owner) const {
     for (std::size_t edge = 0; edge < own.vertices.size(); ++edge) {
         const auto passes = passing(own, edge, at);
         if (!passes) continue;
-        if (!holds && own.inward(edge, at) < 0) found.edges.push_back(told(*passes));
+        if (!holds && own.inward(edge, at) < 0) found.edges.push_back(as_shown(*passes));
         if (!nearest || passes->away() < nearest->away()) nearest = passes;
     }
-    if (shows && nearest) found.edges.push_back(told(*nearest));
+    if (shows && nearest) found.edges.push_back(as_shown(*nearest));
 
     const auto rival = shows ? polygons_->owner(x, y, polygon) : owner;
     if (!rival) return found;

@@ -38,7 +38,7 @@ public:
     };
     /// The points that the side edges have reached.
     struct SideEdges {
-        std::optional<SampleTold> left, right;
+        std::optional<ReportedSample> left, right;
         bool operator==(const SideEdges&) const = default;
         static void fields(auto& edges, auto&& field) {
             field("left", edges.left);

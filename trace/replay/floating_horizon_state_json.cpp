@@ -50,8 +50,8 @@ private:
     void looked(const std::optional<FloatingHorizonState::Looked>& at) {
         optional(at, [this](const auto& l) { integers(l.first, int(l.second)); });
     }
-    void edge(const std::optional<SampleTold>& at) {
-        optional(at, [this](const SampleTold& sample) {
+    void edge(const std::optional<ReportedSample>& at) {
+        optional(at, [this](const ReportedSample& sample) {
             out_ += '[';
             integer(sample.first);
             out_ += ',';

@@ -181,8 +181,8 @@ void Replay::append_values(Text& out, std::uint64_t step) {
     std::visit(
         [&](const auto& state) {
             using Values = std::decay_t<decltype(state.values())>;
-            run_->values.append(out, state, run_->told ? &std::get<Values>(*run_->told) : nullptr);
-            run_->told = state.values();
+            run_->values.append(out, state, run_->written ? &std::get<Values>(*run_->written) : nullptr);
+            run_->written = state.values();
         },
         seek(step));
 }

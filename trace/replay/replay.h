@@ -89,7 +89,8 @@ private:
         std::size_t bytes = 0;              // of lines since the last of these
         std::size_t spacing;                // that many between them
         ValuesText values;
-        std::optional<std::variant<State::Values, FloatingHorizonState::Values>> told;  // those that were written last
+        std::optional<std::variant<State::Values, FloatingHorizonState::Values>>
+            written;  // those that were written last
 
         explicit Run(AnyHeader of);
         const AnyState& kept_before(std::uint64_t step) const;

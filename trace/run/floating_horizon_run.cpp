@@ -8,21 +8,21 @@
 
 namespace vidno {
 
-DrawnLines told_to_nobody(FloatingHorizonRequest request) {
-    HeardBy sink([progress = request.progress](const EventView& event) {
+DrawnLines run_and_discard_trace(FloatingHorizonRequest request) {
+    FunctionSink sink([progress = request.progress](const EventView& event) {
         if (event.get_if<event::Curve>()) progress();
     });
     request.detail = Detail::windows;
     request.sink = &sink;
-    return told_floating_horizon(request);
+    return traced_floating_horizon(request);
 }
 
 DrawnLines run(const FloatingHorizonRequest& request) {
     if (!request.kernel.choice->runs_floating_horizon(request.edition)) {
         throw std::invalid_argument(request.kernel.name() + " draws no curves in this edition");
     }
-    if (request.sink) return told_floating_horizon(request);
-    return is_compiled_untraced(request.edition) ? untraced_run(request) : told_to_nobody(request);
+    if (request.sink) return traced_floating_horizon(request);
+    return is_compiled_untraced(request.edition) ? untraced_run(request) : run_and_discard_trace(request);
 }
 
 std::vector<Loss> losses_of(FloatingHorizonRequest request, const DrawnLines& lines) {
@@ -32,10 +32,10 @@ std::vector<Loss> losses_of(FloatingHorizonRequest request, const DrawnLines& li
     const auto is_whole = [&](const auto& line) { return is_finite(line.from) && is_finite(line.to); };
     if (std::all_of(lines.begin(), lines.end(), is_whole)) return {};
     RunLosses losses(request.kernel.name());
-    HeardBy sink([&](const EventView& event) { losses.hear(event); });
+    FunctionSink sink([&](const EventView& event) { losses.hear(event); });
     request.detail = Detail::signs;
     request.sink = &sink;
-    told_floating_horizon(request);
+    traced_floating_horizon(request);
     return losses.all({});
 }
 

@@ -30,6 +30,6 @@ std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& oth
 
 /// Reports a run to the request's sink; the followers hear its decisions, and the result of each decision in
 /// Visibility.
-DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers = {});
+DrawnLines traced_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// The procedure set of recorded and judged runs over curves. It selects the edition at run time, as recorded_set.h
+/// The procedure set of recorded and judged runs over curves. It selects the edition at run time, as run_time_set.h
 /// does for polygons.
 #pragma once
 

@@ -368,11 +368,11 @@ public:
         emit<event::Visibility>([&] { return event::Visibility{at, ends_of(segment), column, flag, {}}; });
     }
     void horizon(Line at, const auto& /*segment*/, int first, int last) {
-        event::Horizon& told = recording_->horizon;
-        told.at = at;
-        told.first = first;
-        told.last = last;
-        emit<event::Horizon>([&]() -> const event::Horizon& { return told; });
+        event::Horizon& changed = recording_->horizon;
+        changed.at = at;
+        changed.first = first;
+        changed.last = last;
+        emit<event::Horizon>([&]() -> const event::Horizon& { return changed; });
     }
     void intersection(Line at, const auto& segment, const auto& end) {
         emit<event::Intersection>([&] {
@@ -414,8 +414,8 @@ private:
     /// The polygon that joins or leaves a list is its last.
     template <class E>
     void change_list(Line at, Relation relation, const auto& list) {
-        const OtherList told = relation == Relation::surrounding ? OtherList::surrounding : OtherList::outside;
-        emit<E>([&] { return E{at, place(*list.back().polygon), told, list.back().level}; });
+        const OtherList joined = relation == Relation::surrounding ? OtherList::surrounding : OtherList::outside;
+        emit<E>([&] { return E{at, place(*list.back().polygon), joined, list.back().level}; });
     }
 
     /// A horizon over a column.
@@ -430,7 +430,7 @@ private:
 
     static Value value(const auto& number) { return as_value<K>(number); }
     static Value depth_value(const typename K::Depth& z) {
-        if constexpr (requires { K::told(z); } || K::has_infinity) {
+        if constexpr (requires { K::reported(z); } || K::has_infinity) {
             return value(z);
         } else {
             return z ? value(*z) : Value::minus_infinite();

@@ -6,9 +6,9 @@
 
 namespace vidno {
 
-Picture told_to_nobody(RunRequest request) {
+Picture run_and_discard_trace(RunRequest request) {
     RunLosses losses(request.kernel.name());
-    HeardBy sink([&](const EventView& event) {
+    FunctionSink sink([&](const EventView& event) {
         if (event.get_if<event::Pop>() || event.get_if<event::Polygon>() || event.get_if<event::PopList>()) {
             request.progress();
         }
@@ -16,18 +16,18 @@ Picture told_to_nobody(RunRequest request) {
     });
     request.detail = request.loses != nullptr ? Detail::polygons : Detail::windows;  // planes from level polygons on
     request.sink = &sink;
-    Picture picture = told_run(request);
+    Picture picture = traced_run(request);
     if (request.loses != nullptr) *request.loses = losses.any();
     return picture;
 }
 
 std::vector<Loss> losses_of(RunRequest request) {
     RunLosses losses(request.kernel.name());
-    HeardBy sink([&](const EventView& event) { losses.hear(event); });
+    FunctionSink sink([&](const EventView& event) { losses.hear(event); });
     request.detail = Detail::signs;
     request.sink = &sink;
     request.regions = nullptr;
-    told_run(request);
+    traced_run(request);
     return losses.all(polygon_names(request.scene));
 }
 
@@ -35,8 +35,8 @@ Picture run(const RunRequest& request) {
     if (!request.kernel.choice->runs(request.method, request.edition)) {
         throw std::invalid_argument(request.kernel.name() + " does not run this method in this edition");
     }
-    if (request.sink) return told_run(request);
-    return is_compiled_untraced(request.edition) ? untraced_run(request) : told_to_nobody(request);
+    if (request.sink) return traced_run(request);
+    return is_compiled_untraced(request.edition) ? untraced_run(request) : run_and_discard_trace(request);
 }
 
 }  // namespace vidno

@@ -45,6 +45,6 @@ std::vector<Loss> losses_of(RunRequest request);
 Picture run(const RunRequest& request);
 
 /// The same for a request with a sink; the followers hear of its decisions.
-Picture told_run(const RunRequest& request, const Followers& followers = {});
+Picture traced_run(const RunRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

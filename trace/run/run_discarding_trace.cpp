@@ -3,7 +3,7 @@
 
 namespace vidno {
 
-Picture untraced_run(const RunRequest& request) { return told_to_nobody(request); }
-DrawnLines untraced_run(const FloatingHorizonRequest& request) { return told_to_nobody(request); }
+Picture untraced_run(const RunRequest& request) { return run_and_discard_trace(request); }
+DrawnLines untraced_run(const FloatingHorizonRequest& request) { return run_and_discard_trace(request); }
 
 }  // namespace vidno

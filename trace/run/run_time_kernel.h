@@ -353,10 +353,10 @@ public:
     int pixel_of(const Number& value) const { return decide(question::PixelOf{}, value); }
 
     /// The value in a trace's form.
-    static Value told(const Number& number) {
+    static Value reported(const Number& number) {
         return number.is_exact() ? Value(number.exact().fraction()) : Value(number.value());
     }
-    static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
+    static Value reported(const Depth& z) { return z.number ? reported(*z.number) : Value::minus_infinite(); }
 
 protected:
     /// If someone hears the signs of a run, only the comparisons of its numbers are judged: its events report no other

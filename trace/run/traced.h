@@ -9,13 +9,13 @@
 
 namespace vidno {
 
-Picture told_double(const RunRequest&);
-Picture told_filtered(const RunRequest&, const StageCount* count);
-Picture told_grid(const RunRequest&);
-Picture told_machine(const RunRequest&);
-Picture told_run_time(const RunRequest&, const Followers&);
+Picture traced_double(const RunRequest&);
+Picture traced_filtered(const RunRequest&, const StageCount* count);
+Picture traced_grid(const RunRequest&);
+Picture traced_machine(const RunRequest&);
+Picture traced_run_time(const RunRequest&, const Followers&);
 
 /// Weiler and Atherton's algorithm, under each kernel that runs it.
-Picture told_weiler_atherton(const RunRequest&, const Followers&);
+Picture traced_weiler_atherton(const RunRequest&, const Followers&);
 
 }  // namespace vidno

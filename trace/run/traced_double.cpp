@@ -1,8 +1,8 @@
-#include "run/told_set.h"
+#include "run/traced_set.h"
 #include "vidno/kernels/machine.h"
 
 namespace vidno {
 
-Picture told_double(const RunRequest& request) { return told(request, Double{}); }
+Picture traced_double(const RunRequest& request) { return traced(request, Double{}); }
 
 }  // namespace vidno

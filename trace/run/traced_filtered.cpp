@@ -1,10 +1,10 @@
-#include "run/told_set.h"
+#include "run/traced_set.h"
 #include "vidno/kernels/filtered.h"
 
 namespace vidno {
 
-Picture told_filtered(const RunRequest& request, const StageCount* count) {
-    return told(request, FilteredBy(StageTally{count}));
+Picture traced_filtered(const RunRequest& request, const StageCount* count) {
+    return traced(request, FilteredBy(StageTally{count}));
 }
 
 }  // namespace vidno

@@ -142,7 +142,7 @@ private:
 };
 
 template <Kernel K>
-DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging& judging) {
+DrawnLines traced(const FloatingHorizonRequest& request, const K& kernel, Judging& judging) {
     Recording recording{request.detail, *request.sink};
     const auto by = [&]<class Set>(const Set& set) {
         return lines_drawn(request, kernel, FloatingHorizonRecorder<Set, K>(recording, judging, set), set);
@@ -156,23 +156,23 @@ DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging&
 
 }  // namespace
 
-DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers) {
+DrawnLines traced_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers) {
     assert(request.sink);
     const KernelKind kind = request.kernel.kind();
     const int digits =
         kind == KernelKind::filtered ? std::numeric_limits<double>::digits : Arithmetic::of(request.kernel).digits();
     Judging judging{followers.judge, followers.survey, digits};
-    if (kind == KernelKind::filtered) return told(request, FilteredBy(StageTally{followers.count}), judging);
+    if (kind == KernelKind::filtered) return traced(request, FilteredBy(StageTally{followers.count}), judging);
     if (!followers.judge) {
-        if (kind == KernelKind::binary32) return told(request, Float{}, judging);
-        if (kind == KernelKind::binary64) return told(request, Double{}, judging);
-        if (kind == KernelKind::bits) return told(request, MachineKernel(request.kernel), judging);
+        if (kind == KernelKind::binary32) return traced(request, Float{}, judging);
+        if (kind == KernelKind::binary64) return traced(request, Double{}, judging);
+        if (kind == KernelKind::bits) return traced(request, MachineKernel(request.kernel), judging);
     }
     const Judge judge_comparison = [&](const Verdict& verdict) {
         if (!judging.in_visibility) (*followers.judge)(verdict);
     };
     const bool judged = followers.judge && kind != KernelKind::exact;
-    return told(request, RunTimeKernel(request.kernel, {.judge = judged ? &judge_comparison : nullptr}), judging);
+    return traced(request, RunTimeKernel(request.kernel, {.judge = judged ? &judge_comparison : nullptr}), judging);
 }
 
 }  // namespace vidno

@@ -1,7 +1,7 @@
-#include "run/told_set.h"
+#include "run/traced_set.h"
 
 namespace vidno {
 
-Picture told_grid(const RunRequest& request) { return told(request, Grid(request.kernel.parameter)); }
+Picture traced_grid(const RunRequest& request) { return traced(request, Grid(request.kernel.parameter)); }
 
 }  // namespace vidno

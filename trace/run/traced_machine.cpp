@@ -1,8 +1,8 @@
 #include "run/machine_kernel.h"
-#include "run/told_set.h"
+#include "run/traced_set.h"
 
 namespace vidno {
 
-Picture told_machine(const RunRequest& request) { return told(request, MachineKernel(request.kernel)); }
+Picture traced_machine(const RunRequest& request) { return traced(request, MachineKernel(request.kernel)); }
 
 }  // namespace vidno

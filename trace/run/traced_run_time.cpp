@@ -1,10 +1,10 @@
 #include "run/run_time_kernel.h"
-#include "run/told_set.h"
+#include "run/traced_set.h"
 
 namespace vidno {
 
-Picture told_run_time(const RunRequest& request, const Followers& followers) {
-    return told(request, RunTimeKernel(request.kernel, followers));
+Picture traced_run_time(const RunRequest& request, const Followers& followers) {
+    return traced(request, RunTimeKernel(request.kernel, followers));
 }
 
 }  // namespace vidno

@@ -1,14 +1,14 @@
 /// The templates that the units for reported runs instantiate.
 #pragma once
 
-#include "run/recorded_set.h"
 #include "run/recorder.h"
-#include "run/told.h"
+#include "run/run_time_set.h"
+#include "run/traced.h"
 
 namespace vidno {
 
 template <Kernel K>
-Picture told(const RunRequest& request, const K& kernel) {
+Picture traced(const RunRequest& request, const K& kernel) {
     Recording recording{request.detail, *request.sink};
     const Recorder<K> recorder(recording);
     const auto run_set = [&](const auto& set) {

@@ -1,6 +1,6 @@
 #include "run/recorder.h"
 #include "run/run_time_kernel.h"
-#include "run/told.h"
+#include "run/traced.h"
 #include "run/weiler_atherton_run.h"
 #include "vidno/kernels/filtered_regions.h"
 
@@ -31,7 +31,7 @@ struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
 };
 
 template <Kernel K>
-Picture told_with(const RunRequest& request, const K& kernel) {
+Picture traced(const RunRequest& request, const K& kernel) {
     Recording recording{request.detail, *request.sink};
     return weiler_atherton_run(request, kernel, Recorder<K>(recording));
 }
@@ -43,11 +43,11 @@ struct OnRegions<TellingSigns> : OnRegions<NumbersTellingSigns> {
     explicit OnRegions(const TellingSigns& kernel) : OnRegions<NumbersTellingSigns>(NumbersTellingSigns(kernel)) {}
 };
 
-Picture told_weiler_atherton(const RunRequest& request, const Followers& followers) {
+Picture traced_weiler_atherton(const RunRequest& request, const Followers& followers) {
     const KernelKind kind = request.kernel.kind();
-    if (kind == KernelKind::filtered) return told_with(request, TellingSigns(followers));
-    if (kind == KernelKind::binary64 && !followers.judge) return told_with(request, Double{});
-    return told_with(request, RunTimeKernel(request.kernel, followers));
+    if (kind == KernelKind::filtered) return traced(request, TellingSigns(followers));
+    if (kind == KernelKind::binary64 && !followers.judge) return traced(request, Double{});
+    return traced(request, RunTimeKernel(request.kernel, followers));
 }
 
 }  // namespace vidno

@@ -17,8 +17,8 @@ Picture untraced_run(const RunRequest&);
 DrawnLines untraced_run(const FloatingHorizonRequest&);
 
 /// A reported run whose events are ignored.
-Picture told_to_nobody(RunRequest);
-DrawnLines told_to_nobody(FloatingHorizonRequest);
+Picture run_and_discard_trace(RunRequest);
+DrawnLines run_and_discard_trace(FloatingHorizonRequest);
 
 /// The methods that a kernel runs (see its KernelChoice). They are defined in `untraced_<kernel>*.cpp`.
 template <KernelKind kind>

@@ -4,12 +4,12 @@ namespace vidno {
 
 bool write_trace(RunRequest request, TraceWriter& writer) {
     request.sink = &writer;
-    return write_run(writer, [&] { return told_run(request); });
+    return write_run(writer, [&] { return traced_run(request); });
 }
 
 bool write_trace(FloatingHorizonRequest request, TraceWriter& writer) {
     request.sink = &writer;
-    return write_run(writer, [&] { return told_floating_horizon(request); });
+    return write_run(writer, [&] { return traced_floating_horizon(request); });
 }
 
 }  // namespace vidno

@@ -105,7 +105,7 @@ struct ZBufferJudge {
         return e.x == pixel.x && e.y == pixel.y ? Found(Outcome::wrong) : std::nullopt;
     }
     Found operator()(const event::Disagree&) const {
-        return memory.told_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
     Found operator()(const auto&) const { return std::nullopt; }
 };
@@ -145,7 +145,7 @@ struct RegionJudge {
     }
     Found operator()(const event::Paint& e) const { return painted(paints(e, pixel.x, pixel.y)); }
     Found operator()(const event::Disagree&) const {
-        return memory.told_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
     Found operator()(const auto&) const { return std::nullopt; }
 
@@ -200,7 +200,7 @@ struct ColumnJudge {
     Found operator()(const event::Lower& e) const { return noted(e.x == x); }
     Found operator()(const event::Step& e) const { return noted(e.x == x); }
     Found operator()(const event::Disagree&) const {
-        return memory.told_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
     Found operator()(const auto&) const { return std::nullopt; }
 
@@ -214,7 +214,7 @@ private:
 }  // namespace
 
 Found PixelWatch::remembered(Found outcome, std::uint64_t step) {
-    if (outcome) memory_.told_at = step;
+    if (outcome) memory_.said_at = step;
     return outcome;
 }
 

@@ -32,7 +32,7 @@ public:
         std::optional<int> row{};   // Warnock: that of FillPolygon, if the last event was one
         bool is_at_centre = false;  // Warnock: whether the point of SurroundTest is that of PointColor
         bool is_on_row = false;     // Z-buffer: whether ShowLine is on the pixel's row
-        std::uint64_t told_at = 0;  // the last step that concerned the pixel
+        std::uint64_t said_at = 0;  // the last step that concerned the pixel
     };
 
 private:

@@ -90,8 +90,8 @@ public:
         if (fills && is_at(e, {W7, W10, WS4, WF5, WF6})) return {{}, true};
         const bool is_point = is_at(e, {W9, WS5, WF11});  // PointColor has found it
         const auto& nearest = warnock().nearest();
-        const auto told = !is_point ? hiding() : nearest ? std::optional(nearest->polygon) : std::nullopt;
-        if (told) return owner_of(*told, e.color);
+        const auto owner = !is_point ? hiding() : nearest ? std::optional(nearest->polygon) : std::nullopt;
+        if (owner) return owner_of(*owner, e.color);
         const bool is_background = e.color == header().scene.background;
         if (is_point && is_background && header().detail != Detail::windows) return {{}, true};
         return {with_color(e.color), is_background};

@@ -58,7 +58,7 @@ public:
     std::string word(int number) const { return word(Value(number)); }
     std::string word(const ValuePoint& point) const { return pair(point.x, point.y); }
     std::string word(const ValueVertex& vertex) const { return pair(vertex.x, vertex.y); }
-    std::string word(const SampleTold& sample) const { return pair(Value(sample.first), Value(sample.second)); }
+    std::string word(const ReportedSample& sample) const { return pair(Value(sample.first), Value(sample.second)); }
     std::string word(const Window& window) const;
 
     std::string list(const std::vector<Value>& numbers) const;

@@ -125,8 +125,8 @@ constexpr std::size_t most_narrow = 20;
 
 /// Ends a run after this many events; 0: no limit.
 std::function<void()> limit(std::uint64_t most_events) {
-    return [most_events, told = std::uint64_t{0}]() mutable {
-        if (most_events > 0 && ++told > most_events) throw EventLimitReached{};
+    return [most_events, events = std::uint64_t{0}]() mutable {
+        if (most_events > 0 && ++events > most_events) throw EventLimitReached{};
     };
 }
 

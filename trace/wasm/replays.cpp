@@ -347,16 +347,16 @@ extern "C" {
 
 [[clang::export_name("windows")]] const double* vidno_windows(int trace, int x, int y, int width, int height,
                                                               double least) {
-    static std::vector<double> told;
-    told.assign(1, 0);
+    static std::vector<double> numbers;
+    numbers.assign(1, 0);
     if (const auto* state = std::get_if<vidno::State>(&vidno::replay(trace).shown())) {
         const vidno::Window root = state->warnock().root().value_or(vidno::Window{});
         const auto windows = state->screen().division().windows(root, {x, y, width, height}, least);
-        told[0] = double(windows.size());
+        numbers[0] = double(windows.size());
         for (const auto& window : windows) {
-            told.insert(told.end(), {window.x, window.y, window.width, window.height});
+            numbers.insert(numbers.end(), {window.x, window.y, window.width, window.height});
         }
     }
-    return told.data();
+    return numbers.data();
 }
 }

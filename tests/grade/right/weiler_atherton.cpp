@@ -101,9 +101,9 @@ private:
     void push(const std::vector<Part>& parts) {
         if (parts.empty()) return;
         lists_.push_back(parts);
-        std::vector<Piece> told;
-        for (const Part& part : parts) told.push_back({part.polygon, region_of(part.outline), part.ground});
-        trace_.push_list(told);
+        std::vector<Piece> reported;
+        for (const Part& part : parts) reported.push_back({part.polygon, region_of(part.outline), part.ground});
+        trace_.push_list(reported);
     }
 
     /// The first piece of the list clips the others.

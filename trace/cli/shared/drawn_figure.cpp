@@ -180,14 +180,14 @@ std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }
 
-struct ToldSteps {
+struct FigureSteps {
     LineReader lines;
     std::vector<std::uint64_t> steps;
     std::string name{};  // in the figure's language; empty: the scene's
 };
 
 /// A pin is a step of its lesson's run, so the run is traced first.
-ToldSteps pinned_step(const FigureOptions& options) {
+FigureSteps pinned_step(const FigureOptions& options) {
     Problems problems;
     const Lesson lesson = read_lesson(options.input, problems);
     const auto& pins = lesson.pins;
@@ -206,7 +206,7 @@ ToldSteps pinned_step(const FigureOptions& options) {
 }
 
 /// A failure is traced as it fails, and drawn at the step where it is seen unless another step is given.
-ToldSteps failure_steps(const FigureOptions& options) {
+FigureSteps failure_steps(const FigureOptions& options) {
     const Failure failure = read_failure(read_text(options.input), options.input);
     say(failure, options.input);
     std::string text;
@@ -222,7 +222,7 @@ ToldSteps failure_steps(const FigureOptions& options) {
     return {LineReader::of_text(std::move(text)), steps, failure.title.in(style_of(options).language)};
 }
 
-ToldSteps told_steps(const FigureOptions& options) {
+FigureSteps figure_steps(const FigureOptions& options) {
     const bool is_lesson = std::filesystem::is_directory(options.input);
     if (is_lesson != !options.pin.empty())
         refuse(options.input, "--pin is required for the folder of a lesson, and only there");
@@ -277,7 +277,7 @@ void say_engine(const std::string& output, const std::vector<figures::Drawing>& 
 std::string drawn_trace(const FigureOptions& options, Losses& losses) {
     if (options.film) expect_film(options);
     if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "writes only .tex files");
-    auto [lines, steps, name] = told_steps(options);
+    auto [lines, steps, name] = figure_steps(options);
 
     figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
     if (!options.film && format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;

@@ -9,7 +9,7 @@ namespace vidno::cli {
 
 namespace {
 
-constexpr std::size_t most_told = 40;  // of a file
+constexpr std::size_t most_listed = 40;  // of a file
 
 }  // namespace
 
@@ -24,12 +24,12 @@ void Losses::note(const std::string& file, const std::vector<Loss>& without_effe
 }
 
 void Losses::say(const std::string& file, const std::vector<Loss>& losses) {
-    for (std::size_t i = 0; i < std::min(losses.size(), most_told); ++i) {
+    for (std::size_t i = 0; i < std::min(losses.size(), most_listed); ++i) {
         const auto& [what, where] = losses[i];
         messages_.push_back(file + ": " + where + (where.empty() ? "" : ": ") + what);
     }
-    if (losses.size() <= most_told) return;
-    messages_.push_back(file + ": " + counted(losses.size() - most_told, "more loss", "more losses"));
+    if (losses.size() <= most_listed) return;
+    messages_.push_back(file + ": " + counted(losses.size() - most_listed, "more loss", "more losses"));
 }
 
 void Losses::add(TraceFile& trace) {
@@ -39,7 +39,7 @@ void Losses::add(TraceFile& trace) {
     if (const auto lack = trace.lacks()) add(trace.place(), {*lack});
 }
 
-int Losses::told() const {
+int Losses::report() const {
     for (const auto& message : messages_) std::cerr << message << '\n';
     return any() ? 1 : 0;
 }

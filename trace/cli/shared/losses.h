@@ -25,7 +25,7 @@ public:
     bool any() const { return any_; }
 
     /// Says them, once the output is written. Returns the exit status.
-    int told() const;
+    int report() const;
 
 private:
     void say(const std::string& file, const std::vector<Loss>& losses);
