@@ -5,12 +5,14 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "check/check.h"
 #include "grade/curve_truth.h"
 #include "grade/grade.h"
 #include "grade/report.h"
 #include "grade/scenes.h"
+#include "grade/table.h"
 #include "run/write_trace.h"
 #include "scene/exact_scene.h"
 #include "support/random_curves.h"
@@ -947,6 +949,22 @@ TEST_CASE("Grading: a row between two rows is refused") {
     const ProgramGrade grade = grade_trace(text, Grading{{}, Words()});
     CHECK_FALSE(grade.right());
     CHECK(report_of(grade, Grading{{}, Words()}).find("/row: not a whole number") != std::string::npos);
+}
+
+TEST_CASE("Grading: a table has the faults that a trace reports") {
+    // Row 4 and column 4 are outside, and the printed text paints them.
+    const AdmittedScene scene = SceneBuilder({0, 0, 4, 4}).quad(0, 0, 4, 4, 0).build();
+    const std::string text = run_of(scene, Method::zbuffer, "exact", Edition::printed).trace;
+    const ProgramGrade grade = grade_trace(text, Grading{{}, Words()});
+    REQUIRE(grade.faults().size() == 1);
+    const auto json = nlohmann::json::parse(line_of("a.jsonl", grade, TableFormat::json, Words()).text);
+    CHECK(json["faults"][0]["reason"] == "outside the area");
+    CHECK(json["faults"][0]["at"] == "L6");
+    const std::string csv = line_of("a.jsonl", grade, TableFormat::csv, Words(Language::russian)).text;
+    CHECK(csv.ends_with(", L6: выход за пределы области\""));
+    const std::string right = run_of(scene, Method::zbuffer, "exact").trace;
+    CHECK(line_of("a.jsonl", grade_trace(right, Grading{{}, Words()}), TableFormat::csv, Words())
+              .text.ends_with(",\"\""));
 }
 
 TEST_CASE("Grading: a report opens with the verdict and has one language") {

@@ -116,6 +116,21 @@ const SceneGrade* ProgramGrade::first_wrong() const {
     return found == scenes.end() ? nullptr : &*found;
 }
 
+std::vector<ReportedFault> ProgramGrade::faults() const {
+    std::vector<ReportedFault> faults;
+    for (const SceneGrade& each : scenes) {
+        const auto& events = each.run.events;
+        const auto is_fault = [](const Event& event) { return event.get_if<event::Fault>() != nullptr; };
+        const auto first = std::find_if(events.begin(), events.end(), is_fault);
+        if (first == events.end()) continue;
+        const auto& fault = *first->get_if<event::Fault>();
+        faults.push_back({name_of(each.scene), std::size_t(first - events.begin()) + 1,
+                          std::string(line_names[std::size_t(fault.at)]), std::string(fault.reason),
+                          std::size_t(std::count_if(std::next(first), events.end(), is_fault))});
+    }
+    return faults;
+}
+
 ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToGrade& scenes, const Grading& grading,
                            const std::function<void(std::size_t)>& progress) {
     constexpr int enough_endless = 2;

@@ -21,6 +21,14 @@ struct SceneGrade {
     bool right() const { return run.ended.ending == Ending::done && run.complete && judgement && !judgement->wrong; }
 };
 
+/// A fault that a run of the program reports.
+struct ReportedFault {
+    std::string scene;
+    std::size_t step;
+    std::string at, reason;
+    std::size_t more;  // faults of the run after it
+};
+
 struct ProgramGrade {
     std::vector<SceneGrade> scenes;
     std::size_t given = 0;  // the number of scenes that it was to draw
@@ -35,6 +43,8 @@ struct ProgramGrade {
     bool right() const { return wrong() == 0 && missing.empty(); }
     /// The first run with a false claim; if there is none, the first failure. Null if all runs are right.
     const SceneGrade* first_wrong() const;
+    /// The first fault of each run that has one.
+    std::vector<ReportedFault> faults() const;
 };
 
 /// Why a trace ends before its run does, in words.

@@ -1,7 +1,6 @@
 #include "grade/report.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "characters.h"
@@ -73,20 +72,13 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
     return text;
 }
 
-/// The faults that the traces report, for each scene the first; empty if there are none.
-std::string faults_of(const ProgramGrade& grade, const Words& say) {
+/// The faults that the traces report; empty if there are none.
+std::string faults_in_words(const ProgramGrade& grade, const Words& say) {
     std::string text;
-    for (const SceneGrade& each : grade.scenes) {
-        const auto& events = each.run.events;
-        const auto is_fault = [](const Event& event) { return event.get_if<event::Fault>() != nullptr; };
-        const auto first = std::find_if(events.begin(), events.end(), is_fault);
-        if (first == events.end()) continue;
-        const auto& fault = *first->get_if<event::Fault>();
-        const auto more = std::count_if(std::next(first), events.end(), is_fault);
-        text += "  " + quoted(name_of(each.scene), say) + ": " +
-                say({"step {}, {}: {}", "шаг {}, {}"}, std::size_t(first - events.begin()) + 1,
-                    std::string(line_names[std::size_t(fault.at)]), fault.reason);
-        if (more > 0) text += say({" (and {} more)", " (и ещё {})"}, std::size_t(more));
+    for (const ReportedFault& fault : grade.faults()) {
+        text += "  " + quoted(fault.scene, say) + ": " +
+                say({"step {}, {}: {}", "шаг {}, {}: {}"}, fault.step, fault.at, say.reason(fault.reason));
+        if (fault.more > 0) text += say({" (and {} more)", " (и ещё {})"}, fault.more);
         text += "\n";
     }
     if (text.empty()) return text;
@@ -181,7 +173,7 @@ std::string report_of(const ProgramGrade& grade, const Grading& grading) {
             detail_names[std::size_t(grading.detail)], grade.missing);
     }
     if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
-    text += faults_of(grade, say) + differences_of(grade, say) + "\n";
+    text += faults_in_words(grade, say) + differences_of(grade, say) + "\n";
     std::string last;
     for (const auto& each : grade.scenes) {
         // A program that writes no trace fails on all scenes for the same reason.

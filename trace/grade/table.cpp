@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view heading =
-    "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told\n";
+    "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told,faults\n";
 constexpr std::string_view said_right = "right", said_wrong = "wrong", not_judged = "not judged";
 
 std::string name_of(Deviation deviation) {
@@ -39,6 +39,15 @@ std::string text_of(const Json& json, int indent = -1) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string in_words(const std::vector<ReportedFault>& faults, const Words& say) {
+    std::string text;
+    for (const ReportedFault& fault : faults) {
+        text += (text.empty() ? "" : "; ") + fault.scene + (fault.scene.empty() ? "" : ", ") +
+                say({"step {}, {}: {}", "шаг {}, {}: {}"}, fault.step, fault.at, say.reason(fault.reason));
+    }
+    return text;
+}
+
 std::string as_csv(const std::string& program, const ProgramGrade& grade, const Words& say) {
     const SceneGrade* first = grade.first_wrong();
     const Wrong* claim = first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
@@ -46,7 +55,7 @@ std::string as_csv(const std::string& program, const ProgramGrade& grade, const 
                     std::to_string(grade.wrong()), first ? name_of(first->scene) : "",
                     claim ? std::to_string(claim->step) : "", claim ? claim->at : "", claim ? claim->claimed : "",
                     claim ? claim->right : "", grade.deviation ? name_of(*grade.deviation) : "",
-                    in_words(grade.claims, say), grade.missing});
+                    in_words(grade.claims, say), grade.missing, in_words(grade.faults(), say)});
 }
 
 std::string as_json(const std::string& program, const ProgramGrade& grade, const Words& say) {
@@ -64,6 +73,13 @@ std::string as_json(const std::string& program, const ProgramGrade& grade, const
     if (grade.deviation) entry["mistake"] = name_of(*grade.deviation);
     for (const auto& [kind, count] : grade.claims.counts) entry["told"][std::string(say.of(kind->name))] = count;
     if (!grade.missing.empty()) entry["missing"] = grade.missing;
+    for (const ReportedFault& fault : grade.faults()) {
+        entry["faults"].push_back({{"scene", fault.scene},
+                                   {"step", fault.step},
+                                   {"at", fault.at},
+                                   {"reason", fault.reason},
+                                   {"more", fault.more}});
+    }
     return text_of(entry);
 }
 
@@ -97,7 +113,7 @@ TableLine line_of(std::string program, const ProgramGrade& grade, TableFormat fo
 
 TableLine line_of(std::string program, const std::string& reason, TableFormat format) {
     std::string text = format == TableFormat::csv
-                           ? line_of({program, std::string(not_judged), "", "", "", "", "", "", reason, "", "", ""})
+                           ? line_of({program, std::string(not_judged), "", "", "", "", "", "", reason, "", "", "", ""})
                            : text_of({{"program", program}, {"verdict", not_judged}, {"reason", reason}});
     return {std::move(program), std::move(text), false};
 }

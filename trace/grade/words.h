@@ -24,6 +24,9 @@ public:
         return say::filled(of(text), {said(arguments)...});
     }
 
+    /// The reason of a fault.
+    std::string reason(std::string_view text) const { return std::string(say::reason_in(language_, text)); }
+
     std::string said(std::string_view text) const { return std::string(text); }
     std::string said(const Bilingual& text) const { return std::string(of(text)); }
     std::string said(const std::string& text) const { return text; }

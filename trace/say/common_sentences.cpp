@@ -83,14 +83,6 @@ constexpr Bilingual fault_reasons[] = {
     {"the list of vertices is read past its end", "чтение за концом списка вершин"},
 };
 
-/// The reasons that another program has written remain as they are.
-std::string_view reason_in(Language language, std::string_view reason) {
-    for (const auto& known : fault_reasons) {
-        if (known.english == reason) return known.in(language);
-    }
-    return reason;
-}
-
 struct AnswerWords {
     const Words& words;
 
@@ -105,6 +97,13 @@ struct AnswerWords {
 };
 
 }  // namespace
+
+std::string_view reason_in(Language language, std::string_view reason) {
+    for (const auto& known : fault_reasons) {
+        if (known.english == reason) return known.in(language);
+    }
+    return reason;
+}
 
 std::string common_sentence(const event::Call& e, const Words& words) {
     return words.say("{} begins: {}", "Начинается {}: {}", procedure_names[std::size_t(e.of)],
