@@ -37,7 +37,7 @@ namespace {
 
 struct Entry {
     std::string name;
-    json reported;
+    json document;
     std::optional<AnyScene> scene;  // none: a separate test shows the failure
 };
 
@@ -51,7 +51,7 @@ std::vector<Entry> atlas() {
     for (const auto& file : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons/failures")) {
         if (file.path().extension() != ".json") continue;
         Entry entry{file.path().stem().string(), json::parse(read_file(file.path().string())), {}};
-        if (entry.reported.contains("scene")) entry.scene = scene_in(entry.reported["scene"].dump(), entry.name);
+        if (entry.document.contains("scene")) entry.scene = scene_in(entry.document["scene"].dump(), entry.name);
         entries.push_back(std::move(entry));
     }
     return entries;
@@ -128,24 +128,24 @@ private:
 };
 
 /// Checks one of the forms in which an entry describes the failure.
-void check_shown(const std::string& form, const json& told, const Shown& fails, const Shown& holds,
+void check_shown(const std::string& form, const json& shown, const Shown& fails, const Shown& holds,
                  const Picture& right) {
     if (form == "pixel") {
-        const int x = told[0], y = told[1];
+        const int x = shown[0], y = shown[1];
         CHECK(fails.picture().at(x, y) != right.at(x, y));
         CHECK(holds.picture() == right);
     } else if (form == "wrong") {
-        CHECK(fails.wrong_in(told));
-        CHECK_FALSE(holds.wrong_in(told));
+        CHECK(fails.wrong_in(shown));
+        CHECK_FALSE(holds.wrong_in(shown));
     } else if (form == "fault") {
-        CHECK(fails.faults_at(told));
-        CHECK_FALSE(holds.faults_at(told));
+        CHECK(fails.faults_at(shown));
+        CHECK_FALSE(holds.faults_at(shown));
     } else if (form == "missing") {
-        CHECK_FALSE(fails.reaches(told));
-        CHECK(holds.reaches(told));
+        CHECK_FALSE(fails.reaches(shown));
+        CHECK(holds.reaches(shown));
     } else if (form == "present") {
-        CHECK(fails.reaches(told));
-        CHECK_FALSE(holds.reaches(told));
+        CHECK(fails.reaches(shown));
+        CHECK_FALSE(holds.reaches(shown));
     } else if (form == "off") {
         const auto computed = fails.intersections();
         const auto right_ones = holds.intersections();
@@ -154,7 +154,7 @@ void check_shown(const std::string& form, const json& told, const Shown& fails, 
         for (std::size_t i = 0; i < computed.size(); ++i) {
             farthest = std::max(farthest, glm::distance(computed[i], right_ones[i]));
         }
-        CHECK(farthest >= told.get<double>());
+        CHECK(farthest >= shown.get<double>());
         CHECK_MESSAGE(std::abs(farthest - fails.off()) < 1e-9, "it is from the exact ones that they are off");
     } else {
         REQUIRE(form == "more_windows");
@@ -165,7 +165,7 @@ void check_shown(const std::string& form, const json& told, const Shown& fails, 
 void check_entry(const json& entry, const AdmittedScene& scene) {
     const Picture right = Reference(scene).picture();
     const Shown fails(entry.at("fails"), scene), holds(entry.at("holds"), scene);
-    for (const auto& [form, told] : entry.at("shows").items()) check_shown(form, told, fails, holds, right);
+    for (const auto& [form, shown] : entry.at("shows").items()) check_shown(form, shown, fails, holds, right);
 }
 
 /// The columns that the rule of the floating horizon draws.
@@ -194,23 +194,23 @@ bool is_drawn(const DrawnLines& lines, std::size_t curve, double x) {
 
 void check_entry(const json& entry, const Surface& surface) {
     const AdmittedCurves& curves = surface.curves;
-    const auto lines = [](const json& told, const AdmittedCurves& scene) {
-        REQUIRE(told.at("method") == floating_horizon_method);
-        return run(FloatingHorizonRequest{kernel_in(told), edition_in(told), scene});
+    const auto lines = [](const json& shown, const AdmittedCurves& scene) {
+        REQUIRE(shown.at("method") == floating_horizon_method);
+        return run(FloatingHorizonRequest{kernel_in(shown), edition_in(shown), scene});
     };
-    const auto drawn = [&](const json& told, const AdmittedCurves& scene) {
-        return columns_drawn(lines(told, scene), scene);
+    const auto drawn = [&](const json& shown, const AdmittedCurves& scene) {
+        return columns_drawn(lines(shown, scene), scene);
     };
     const ColumnsDrawn right = right_columns(true_curves(entry.at("scene"))), fails = drawn(entry.at("fails"), curves);
-    for (const auto& [form, told] : entry.at("shows").items()) {
-        const std::size_t curve = told[0];
+    for (const auto& [form, shown] : entry.at("shows").items()) {
+        const std::size_t curve = shown[0];
         if (form == "place") {
-            CHECK(is_drawn(lines(entry.at("fails"), curves), curve, told[1]) !=
-                  is_drawn(lines(entry.at("holds"), curves), curve, told[1]));
+            CHECK(is_drawn(lines(entry.at("fails"), curves), curve, shown[1]) !=
+                  is_drawn(lines(entry.at("holds"), curves), curve, shown[1]));
             continue;
         }
         REQUIRE(form == "column");
-        const auto column = std::size_t(told[1].get<int>() - curves->curves[curve].samples.front().x);
+        const auto column = std::size_t(shown[1].get<int>() - curves->curves[curve].samples.front().x);
         CHECK(fails[curve][column] != right[curve][column]);
     }
     const json& holds = entry.at("holds");
@@ -224,16 +224,16 @@ TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy do
     int scenes = 0;
     for (const Entry& entry : atlas()) {
         CAPTURE(entry.name);
-        CHECK(entry.told.at("format") == "vidno-failure/1");
+        CHECK(entry.document.at("format") == "vidno-failure/1");
         for (const std::string text : {"title", "why", "remedy"}) {
             for (const std::string language : {"en", "ru"}) {
-                CHECK_FALSE(entry.told.at(text).at(language).get<std::string>().empty());
+                CHECK_FALSE(entry.document.at(text).at(language).get<std::string>().empty());
             }
         }
         if (!entry.scene) continue;
         ++scenes;
-        REQUIRE_FALSE(entry.told.at("shows").empty());
-        std::visit([&](const auto& scene) { check_entry(entry.told, scene); }, *entry.scene);
+        REQUIRE_FALSE(entry.document.at("shows").empty());
+        std::visit([&](const auto& scene) { check_entry(entry.document, scene); }, *entry.scene);
     }
     CHECK(scenes >= 30);
 }
@@ -284,7 +284,7 @@ TEST_CASE("Failures: an entry without a scene has a test of its name") {
     for (const Entry& entry : atlas()) {
         if (entry.scene) continue;
         CAPTURE(entry.name);
-        CHECK(tests.find("TEST_CASE(\"" + entry.reported.at("test").get<std::string>() + "\")") != std::string::npos);
+        CHECK(tests.find("TEST_CASE(\"" + entry.document.at("test").get<std::string>() + "\")") != std::string::npos);
     }
 }
 

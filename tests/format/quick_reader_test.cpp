@@ -99,7 +99,7 @@ TEST_CASE("Every line of a trace is read quickly, as the tree reads it") {
         }
     }
     // Only the printed text tells `skip`. Most other events must occur.
-    CHECK(told.size() > AllEvents::count * 9 / 10);
+    CHECK(reported.size() > AllEvents::count * 9 / 10);
 }
 
 TEST_CASE("A line with a wrong byte is read as the tree reads it, or not at all") {
