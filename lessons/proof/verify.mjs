@@ -1,24 +1,24 @@
-import { readFileSync } from 'node:fs' // node verify.mjs SCENE.json PICTURE.ppm PROOF.jsonl: checks a proof, see trace/PROOF.md
+import { readFileSync } from 'node:fs' // node verify.mjs SCENE.json PICTURE.png PROOF.jsonl: checks a proof, see trace/PROOF.md
+import { readPicture } from './read_picture.mjs'
 const check = (isTrue, reason) => isTrue || (console.error(reason), process.exit(1))
 const value = ([a, b, c], [x, y]) => a * x + b * y + c
-const contains = (a, b) => a[0] <= b[0] && a[1] <= b[1] && b[0] + b[2] <= a[0] + a[2] && b[1] + b[3] <= a[1] + a[3]
+const contains = (a, b) => [0, 1].every(i => a[i] <= b[i] && b[i + 2] > 0 && b[i] + b[i + 2] <= a[i] + a[i + 2])
 const exact = (x, power = 1074n) => x % 1 ? exact(x * 2, power - 1n) : BigInt(x) << power // a double in units of 2^-1074
 function polygon({ vertices }) {
   const v = vertices.map(vertex => vertex.map(number => exact(number))), pairs = v.map((p, i) => [p, v[(i + 1) % v.length]])
   const sum = (i, k) => pairs.reduce((area, [p, q]) => area + p[i] * q[k] - p[k] * q[i], 0n) // Newell's
-  const way = sum(0, 1) > 0n ? 1n : -1n // with it, the polygon lies where no edge has a negative value
-  const [a, b, c] = [way * sum(1, 2), way * sum(2, 0), way * sum(0, 1)]
-  const edges = pairs.map(([p, q]) => [way * (p[1] - q[1]), way * (q[0] - p[0]), way * (p[0] * q[1] - p[1] * q[0])])
+  const way = sum(0, 1) > 0n ? 1n : -1n, [a, b, c] = [way * sum(1, 2), way * sum(2, 0), way * sum(0, 1)]
+  const edges = pairs.map(([p, q]) => [way * (p[1] - q[1]), way * (q[0] - p[0]), way * (p[0] * q[1] - p[1] * q[0])]) // >= 0 inside
   check(edges.every(edge => v.every(vertex => value(edge, vertex) >= 0n)), 'scene: a polygon is not convex')
   return { edges, c, depth: [-a, -b, c * v[0][2] + a * v[0][0] + b * v[0][1]] } // value / c is its depth; c = 0: edge-on
 }
 const holds = ({ edges, c }, places) => c > 0n && edges.every(edge => places.every(at => value(edge, at) >= 0n))
 const gap = (p, q, at) => value(polygons[q].depth, at) * polygons[p].c - value(polygons[p].depth, at) * polygons[q].c
-const [sceneText, picture, proof] = process.argv.slice(2, 5).map(file => readFileSync(file))
+const [sceneText, proof] = [process.argv[2], process.argv[4]].map(file => readFileSync(file))
 const scene = JSON.parse(sceneText), polygons = scene.polygons.map(polygon), { x: left, y: top, width, height } = scene.window
 const [header, ...lines] = proof.toString().trimEnd().split('\n').map(line => JSON.parse(line)), proved = []
-const ppm = `P6\n${width} ${height}\n255\n`, pixels = picture.subarray(ppm.length)
-check(picture.indexOf(ppm) === 0 && !scene.camera && header.format === 'vidno-proof/1', 'not a scene, its PPM and a proof')
+const pixels = readPicture(process.argv[3], width, height)
+check(pixels.length === 3 * width * height && !scene.camera && header.format === 'vidno-proof/1', 'no scene, picture and proof')
 let around = [{ outer: [left, top, width, height], leftOut: [] }]
 for (const [i, { rectangle, edge_on = [], beside = [], behind = [], owner }] of lines.entries()) {
   const [x, y, w, h] = rectangle, line = `line ${i + 2}:`, holding = [...behind.map(([, q]) => q), owner ?? []].flat()

@@ -1,8 +1,9 @@
-"""Checks a proof that a picture shows a scene, as trace/PROOF.md explains: python3 verify.py SCENE.json PICTURE.ppm PROOF.jsonl"""
+"""Checks a proof that a picture shows a scene, as trace/PROOF.md explains: python3 verify.py SCENE.json PICTURE.png PROOF.jsonl"""
 import fractions, itertools, json, sys
+from read_picture import read_picture
 def check(is_true, reason): return is_true or sys.exit(reason)
 def value(linear, at): return linear[0] * at[0] + linear[1] * at[1] + linear[2]
-def contains(a, b): return a[0] <= b[0] and a[1] <= b[1] and b[0] + b[2] <= a[0] + a[2] and b[1] + b[3] <= a[1] + a[3]
+def contains(a, b): return all(a[i] <= b[i] < b[i] + b[i + 2] <= a[i] + a[i + 2] for i in (0, 1))
 class Polygon:
     def __init__(self, given):
         v = [[fractions.Fraction(float(number)) for number in vertex] for vertex in given["vertices"]]  # exactly the double
@@ -14,10 +15,10 @@ class Polygon:
         self.depth = (-a / c, -b / c, v[0][2] + (a * v[0][0] + b * v[0][1]) / c) if c != 0 else None  # None: edge-on
     def holds(self, places): return self.depth and all(value(edge, at) >= 0 for edge in self.edges for at in places)
 def rank(p, at): return value(polygons[p].depth, at), -p  # of the polygons that hold a place, the one of greatest rank shows
-scene, picture, proof = json.load(open(sys.argv[1])), open(sys.argv[2], "rb").read(), map(json.loads, open(sys.argv[3]))
+scene, proof = json.load(open(sys.argv[1])), map(json.loads, open(sys.argv[3]))
 window = left, top, columns, rows = [scene["window"][key] for key in ("x", "y", "width", "height")]
-header, is_proof = b"P6\n%d %d\n255\n" % (columns, rows), next(proof) == {"format": "vidno-proof/1"}
-check(is_proof and "camera" not in scene and picture.startswith(header), "not a scene on the screen, its PPM and a proof")
+picture = read_picture(sys.argv[2], columns, rows)
+check(next(proof) == {"format": "vidno-proof/1"} and "camera" not in scene, "not a scene on the screen and a proof")
 polygons = dict(enumerate(map(Polygon, scene["polygons"])))  # a list would also have one at -1
 around, proved, half = [(window, set())], {}, fractions.Fraction(1, 2)
 for n, line in enumerate(proof, 2):
@@ -35,6 +36,5 @@ for n, line in enumerate(proof, 2):
         color = bytes.fromhex((scene["background"] if line["owner"] is None else scene["polygons"][line["owner"]]["color"])[1:])
         for at in itertools.product(range(x, x + width), range(y, y + height)): proved.setdefault(at, []).append(color)
 for i, (y, x) in enumerate(itertools.product(range(top, top + rows), range(left, left + columns))):
-    rgb = picture[len(header) + 3 * i : len(header) + 3 * i + 3]
-    check(proved.get((x, y)) == [rgb], f"pixel {x},{y}: not proved once, or not in this colour")
+    check(proved.get((x, y)) == [picture[3 * i : 3 * i + 3]], f"pixel {x},{y}: not proved once, or not in this colour")
 print(f"proved: the picture shows the scene at each of its {columns * rows} pixels")

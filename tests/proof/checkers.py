@@ -10,6 +10,7 @@ import sys
 class Checkers:
     def __init__(self, folder, compiled):
         self.compiled = compiled
+        sys.path.append(str(folder))  # verify.py imports read_picture.py, which stands beside it
         source = pathlib.Path(folder, "verify.py").read_text(encoding="utf-8")
         self.python_code = compile(source, "verify.py", "exec")
         served = pathlib.Path(__file__).with_name("serve.mjs")

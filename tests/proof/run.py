@@ -19,9 +19,11 @@ import json
 import math
 import pathlib
 import random
+import struct
 import subprocess
 import sys
 import time
+import zlib
 
 from checkers import Checkers
 from truth import Fraction, Polygon, Scene, centre, is_true, owner
@@ -51,6 +53,25 @@ def header(scene):
     return b"P6\n%d %d\n255\n" % (scene["window"]["width"], scene["window"]["height"])
 
 
+def png(scene, rgb):
+    """The picture as a PNG whose rows are of all kinds in turn."""
+    width, height = scene["window"]["width"], scene["window"]["height"]
+    above, packed = bytes(3 * width), b""
+    for row in range(height):
+        line = rgb[3 * width * row : 3 * width * (row + 1)]
+        left, corner = bytes(3) + line[:-3], bytes(3) + above[:-3]
+        nearest = [min(at, key=lambda each: abs(at[0] + at[1] - at[2] - each)) for at in zip(left, above, corner)]
+        means = [(a + b) // 2 for a, b in zip(left, above)]
+        kind = row % 5
+        predicted = [bytes(3 * width), left, above, means, nearest][kind]
+        packed += bytes([kind, *((each - guess) % 256 for each, guess in zip(line, predicted))])
+        above = line
+    image = struct.pack(">II5B", width, height, 8, 2, 0, 0, 0)
+    parts = [b"IHDR" + image, b"IDAT" + zlib.compress(packed), b"IEND"]
+    written = [struct.pack(">I", len(part) - 4) + part + struct.pack(">I", zlib.crc32(part)) for part in parts]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(written)
+
+
 def check_proof(name, scene_file, picture_file, proof_file):
     for checker, (accepts, said) in checkers.verdicts(scene_file, picture_file, proof_file).items():
         expect(accepts, name, "verify." + checker, "refuses a proof:", said)
@@ -66,7 +87,10 @@ def prove_run(name, file, method, kernel, right):
     shown = picture.read_bytes()[-len(right) :] if right else None
     is_right = shown == right
     proof.unlink(missing_ok=True)
-    # By the run itself or by its picture, in turn.
+    # By the run itself or by its picture, PPM or PNG, in turn.
+    if counts["pictures"] % 4 < 2:
+        picture = work / "run.png"
+        vidno("render", file, *run, "-o", picture)
     way = run if counts["pictures"] % 2 else ["--picture", picture]
     made = vidno("prove", file, *way, "--scene", plain, "-o", proof)
     counts.update(["pictures", "right" if is_right else "wrong"])
@@ -165,14 +189,18 @@ def changed_proof(draw, scene, lines):
     count = len(scene["polygons"])
     number = draw.randrange(1, len(lines))
     line = lines[number]
-    kinds = ["rectangle", "dropped", "doubled", "swapped"]
+    kinds = ["rectangle", "rectangle", "negative", "dropped", "doubled", "swapped"]
     kinds += [kind for kind in ("owner", "edge_on", "beside", "behind") if kind in line and line[kind] != []]
     kind = draw.choice(kinds)
     if kind == "rectangle":
         place = draw.randrange(4)
         line["rectangle"][place] += draw.choice([-1, 1])
-        line["rectangle"][place] = max(line["rectangle"][place], 1) if place >= 2 else line["rectangle"][place]
         return "a rectangle"
+    if kind == "negative":
+        # Its sides have another sign, so their product stays as it is.
+        x, y, width, height = line["rectangle"]
+        line["rectangle"] = [x + width, y + height, -width, -height]
+        return "a rectangle of negative sides"
     if kind == "dropped":
         del lines[number]
         return "a line dropped"
@@ -203,7 +231,7 @@ def changed_proof(draw, scene, lines):
 
 def change_proofs():
     draw = random.Random(options.seed)
-    files = work / "changed.json", work / "changed.ppm", work / "changed.jsonl"
+    files = work / "changed.json", work / "changed.picture", work / "changed.jsonl"
     each = 25
     made = 0
     for first, scene in enumerate(random_scenes(100000, 2 * options.changes // each + 1), 100000):
@@ -212,8 +240,9 @@ def change_proofs():
         files[0].write_text(json.dumps(scene))
         truth = Scene(scene)
         rgb = truth.rgb()
-        files[1].write_bytes(header(scene) + rgb)
-        if not scene["polygons"] or vidno("prove", files[0], "--picture", files[1], "-o", files[2]).returncode != 0:
+        first_picture = work / "changed.ppm"
+        first_picture.write_bytes(header(scene) + rgb)
+        if not scene["polygons"] or vidno("prove", files[0], "--picture", first_picture, "-o", files[2]).returncode != 0:
             expect(not scene["polygons"], "no proof of scene", first)
             continue
         lines = lines_of(files[2].read_text())
@@ -224,7 +253,7 @@ def change_proofs():
             what = draw.choice([lambda: changed_scene(draw, changed), lambda: changed_picture(draw, scene, pixels),
                                 *[lambda: changed_proof(draw, scene, proof)] * 4])()
             files[0].write_text(json.dumps(changed))
-            files[1].write_bytes(header(scene) + bytes(pixels))
+            files[1].write_bytes(png(scene, pixels) if draw.randrange(2) else header(scene) + bytes(pixels))
             files[2].write_text("".join(json.dumps(line) + "\n" for line in proof))
             still_true = is_true(truth if changed == scene else Scene(changed), bytes(pixels), proof)
             counts.update(["changes", f"changes that are {'still true' if still_true else 'false'}", "changed: " + what])

@@ -2,9 +2,11 @@
 // what it printed.
 import { readFileSync } from 'node:fs'
 import { createInterface } from 'node:readline'
+import { pathToFileURL } from 'node:url'
 
-const source = readFileSync(process.argv[2], 'utf8').replace(/^import .*$/m, '')
-const checker = new Function('readFileSync', 'process', 'console', source)
+const source = readFileSync(process.argv[2], 'utf8').replaceAll(/^import .*$/gm, '')
+const { readPicture } = await import(new URL('read_picture.mjs', pathToFileURL(process.argv[2])))
+const checker = new Function('readFileSync', 'readPicture', 'process', 'console', source)
 
 class Exit extends Error {}
 
@@ -17,7 +19,8 @@ for await (const line of createInterface({ input: process.stdin })) {
       status = code
       throw new Exit()
     }
-    checker(readFileSync, { argv: ['node', 'verify.mjs', ...line.split('\t')], exit }, { log: print, error: print })
+    const given = { argv: ['node', 'verify.mjs', ...line.split('\t')], exit }
+    checker(readFileSync, readPicture, given, { log: print, error: print })
   } catch (error) {
     if (!(error instanceof Exit)) {
       status = 1

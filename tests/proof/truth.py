@@ -4,6 +4,7 @@ Where a checker of proofs looks at the corners of a rectangle, this looks at eac
 """
 
 import fractions
+import functools
 
 Fraction = fractions.Fraction
 
@@ -23,6 +24,7 @@ class Polygon:
         self.convex = all(a * x + b * y + c >= 0 for a, b, c in self.edges for x, y, _ in v)
         self.edge_on = area == 0
         self.plane = None
+        self.held, self.depths = {}, {}  # by place: a proof asks for the same places again and again
         if not self.edge_on:
             ox, oy, oz = v[0]
             relative = [(x - ox, y - oy, z - oz) for x, y, z in v]
@@ -38,16 +40,27 @@ class Polygon:
         """The same with other half-planes, or raised."""
         made = Polygon.__new__(Polygon)
         made.edges, made.convex, made.edge_on = edges or self.edges, True, self.edge_on
+        made.held, made.depths = {}, {}
         made.plane = self.plane and (self.plane[0], self.plane[1], self.plane[2] + rise)
         return made
 
     def holds(self, x, y):
-        return not self.edge_on and all(a * x + b * y + c >= 0 for a, b, c in self.edges)
+        if (x, y) not in self.held:
+            self.held[x, y] = not self.edge_on and all(self.side(edge, x, y) >= 0 for edge in range(len(self.edges)))
+        return self.held[x, y]
+
+    def side(self, edge, x, y):
+        """On which side of an edge a place lies: less than 0 if it is outside."""
+        a, b, c = self.edges[edge]
+        return a * x + b * y + c
 
     def depth(self, x, y):
-        return self.plane[0] * x + self.plane[1] * y + self.plane[2]
+        if (x, y) not in self.depths:
+            self.depths[x, y] = self.plane[0] * x + self.plane[1] * y + self.plane[2]
+        return self.depths[x, y]
 
 
+@functools.cache
 def centre(x, y):
     return x + Fraction(1, 2), y + Fraction(1, 2)
 
@@ -91,6 +104,8 @@ def is_true(scene, rgb, lines):
     proved = {}
     for line in lines[1:]:
         x, y, width, height = line["rectangle"]
+        if width < 1 or height < 1:
+            return False
         pixels = [(i, j) for i in range(x, x + width) for j in range(y, y + height)]
 
         def contains(outer):
@@ -108,8 +123,7 @@ def is_true(scene, rgb, lines):
         for p, edge in line.get("beside", []):
             if edge >= len(scene.polygons[p].edges):
                 return False
-            a, b, c = scene.polygons[p].edges[edge]
-            if not all(a * cx + b * cy + c < 0 for cx, cy in (centre(*pixel) for pixel in pixels)):
+            if not all(scene.polygons[p].side(edge, *centre(*pixel)) < 0 for pixel in pixels):
                 return False
             left_out.add(p)
         for p, front in line.get("behind", []):

@@ -111,9 +111,9 @@ void add_prove(CLI::App& program, int& status) {
         "for\n"
         "every other polygon the reason why it does not. The checkers in lessons/proof read it; this program does "
         "not.\n"
-        "Example: vidno render scene.json -o picture.ppm && vidno prove scene.json --picture picture.ppm -o "
+        "Example: vidno render scene.json -o picture.png && vidno prove scene.json --picture picture.png -o "
         "proof.jsonl &&\n"
-        "         python3 verify.py scene.json picture.ppm proof.jsonl\n"
+        "         python3 verify.py scene.json picture.png proof.jsonl\n"
         "Exit status 1: the picture is wrong, so there is no proof; each wrong pixel has a line with the reason.");
     command.callback([options, &status] { status = prove_picture(*options); });
 }

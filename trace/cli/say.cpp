@@ -77,13 +77,13 @@ int say_history(const SayOptions& options, auto& reader) {
     constexpr std::array<std::string_view, say::outcome_names.size()> signs{"✓", "✗", "■", "!", "·"};
     const auto language = Language(place_in(language_codes, options.language));
     auto state = state_of(reader);
-    say::PixelWatch watch(pixel_in(*options.pixel, area_of(state)));
+    say::PixelWatch watch(pixel_in(*options.pixel, area_of(state)), reader.header());
     std::string reason;
     Progress progress("steps");
     const auto take = [&](const EventView& event) {
         state.apply(event);
         progress.show(state.step());
-        const auto outcome = watch.see(event, state);
+        const auto outcome = watch.see(event, state.step());
         if (!outcome) return;
         progress.clear();
         std::cout << state.step() << ": " << signs[std::size_t(*outcome)] << ' '

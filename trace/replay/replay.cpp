@@ -171,12 +171,6 @@ Replay::Looked Replay::look_at(std::uint64_t step) {
     return {run.reader.again(line(step)), is_shown ? run.current : run.beside};
 }
 
-EventView Replay::advance(AnyState& state) {
-    const EventView event = run_->reader.again(line(step_of(state) + 1));
-    take(state, event);
-    return event;
-}
-
 void Replay::append_values(Text& out, std::uint64_t step) {
     std::visit(
         [&](const auto& state) {

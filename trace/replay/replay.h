@@ -63,9 +63,8 @@ public:
     };
     Looked look_at(std::uint64_t step);
 
-    /// A state before all steps, for a pass over the run; and the next event of a pass, which its state has taken.
-    AnyState start() const { return run_->keyframes.front(); }
-    EventView advance(AnyState& state);
+    /// The event of a step alone, until the next call.
+    EventView event(std::uint64_t step) { return run_->reader.again(line(step)); }
 
     /// Appends the values after a step as JSON (values.h), and goes there: from the second call on as they differ from
     /// those of the last one.

@@ -1,5 +1,9 @@
 #include "say/pixel_history.h"
 
+#include <array>
+#include <charconv>
+#include <type_traits>
+
 #include "format/paints.h"
 #include "say/sentence.h"
 #include "say/warnock_words.h"
@@ -23,7 +27,7 @@ bool overlaps(const Window& window, Pixel pixel) {
 struct WarnockJudge {
     Pixel pixel;
     const PixelWatch::Memory& memory;
-    const State& after;
+    Detail detail;
 
     Found operator()(const event::Push& e) const { return noted(overlaps(e.window, pixel)); }
     Found operator()(const event::Fill& e) const { return painted(paints(e, pixel.x, pixel.y)); }
@@ -40,7 +44,7 @@ struct WarnockJudge {
     Found operator()(const event::Count&) const { return within(Outcome::pass); }
     /// At the level of signs the following comparison includes the depth.
     Found operator()(const event::Depth&) const {
-        return after.header().detail == Detail::signs ? std::nullopt : within(Outcome::note);
+        return detail == Detail::signs ? std::nullopt : within(Outcome::note);
     }
     Found operator()(const event::Compare& e) const { return within(test(e.nearer)); }
     Found operator()(const event::Nearer& e) const { return within(test(e.k > 0)); }
@@ -72,13 +76,11 @@ struct WarnockJudge {
     Found operator()(const event::Disagree&) const {
         return !memory.row || *memory.row == pixel.y ? within(Outcome::wrong) : std::nullopt;
     }
-    Found operator()(const auto&) const { return std::nullopt; }
 
 private:
     /// The outcome for the pixels of the current window.
     Found within(Outcome outcome) const {
-        const auto& current = after.warnock().current();
-        return current && overlaps(current->window, pixel) ? Found(outcome) : std::nullopt;
+        return memory.window && overlaps(*memory.window, pixel) ? Found(outcome) : std::nullopt;
     }
 };
 
@@ -86,7 +88,6 @@ private:
 struct ZBufferJudge {
     Pixel pixel;
     const PixelWatch::Memory& memory;
-    const State& after;
 
     Found operator()(const event::Clear&) const { return Outcome::paint; }
     Found operator()(const event::ShownLine& e) const { return noted(e.row == pixel.y); }
@@ -105,16 +106,15 @@ struct ZBufferJudge {
         return e.x == pixel.x && e.y == pixel.y ? Found(Outcome::wrong) : std::nullopt;
     }
     Found operator()(const event::Disagree&) const {
-        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == memory.step - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
-    Found operator()(const auto&) const { return std::nullopt; }
 };
 
 /// The pieces over the pixel's centre, what clips them, what is behind, and the visible region.
 struct RegionJudge {
     Pixel pixel;
     const PixelWatch::Memory& memory;
-    const State& after;
+    const WeilerAthertonState& after;
 
     Found operator()(const event::CutToArea& e) const { return noted(is_over(e.region)); }
     Found operator()(const event::Split& e) const { return noted(is_over(e.region) || is_over(e.other)); }
@@ -145,14 +145,11 @@ struct RegionJudge {
     }
     Found operator()(const event::Paint& e) const { return painted(paints(e, pixel.x, pixel.y)); }
     Found operator()(const event::Disagree&) const {
-        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == memory.step - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
-    Found operator()(const auto&) const { return std::nullopt; }
 
 private:
-    const std::optional<WeilerAthertonState::ListInHand>& list() const {
-        return after.weiler_atherton().list_in_hand();
-    }
+    const std::optional<WeilerAthertonState::ListInHand>& list() const { return after.list_in_hand(); }
 
     /// Whether the region contains the pixel's centre; one on the outline may count as either. Doubles are accurate
     /// enough to show.
@@ -177,13 +174,13 @@ private:
 struct ColumnJudge {
     int x;
     const PixelWatch::Memory& memory;
-    const FloatingHorizonState& after;
+    const FloatingHorizonHeader& header;
 
     Found operator()(const event::Height& e) const { return noted(e.x == x); }
     Found operator()(const event::Visibility& e) const {
         if (e.x != x) return std::nullopt;
         // The printed text finds such a point below, but does not draw it.
-        const bool is_lost = e.flag == VisibilityFlag::below && after.header().edition.has(Deviation::x_h1);
+        const bool is_lost = e.flag == VisibilityFlag::below && header.edition.has(Deviation::x_h1);
         return is_lost ? Outcome::note : test(e.flag != VisibilityFlag::hidden);
     }
     Found operator()(const event::DrawLine& e) const {
@@ -194,15 +191,14 @@ struct ColumnJudge {
     }
     /// At the level of signs each change of a horizon has an event of its own.
     Found operator()(const event::Horizon& e) const {
-        return noted(after.header().detail == Detail::polygons && (is_among(e.upper) || is_among(e.lower)));
+        return noted(header.detail == Detail::polygons && (is_among(e.upper) || is_among(e.lower)));
     }
     Found operator()(const event::Raise& e) const { return noted(e.x == x); }
     Found operator()(const event::Lower& e) const { return noted(e.x == x); }
     Found operator()(const event::Step& e) const { return noted(e.x == x); }
     Found operator()(const event::Disagree&) const {
-        return memory.said_at == after.step() - 1 ? Found(Outcome::wrong) : std::nullopt;
+        return memory.said_at == memory.step - 1 ? Found(Outcome::wrong) : std::nullopt;
     }
-    Found operator()(const auto&) const { return std::nullopt; }
 
 private:
     bool is_among(const std::vector<ColumnHeight>& changes) const {
@@ -211,64 +207,139 @@ private:
     }
 };
 
-}  // namespace
-
-Found PixelWatch::remembered(Found outcome, std::uint64_t step) {
-    if (outcome) memory_.said_at = step;
-    return outcome;
+/// What a judge finds; it judges no events without a function of its own.
+template <class Judge>
+Found found_by(const Judge& judge, const EventView& event) {
+    return event.visit([&]<class E>(const E& e) -> Found {
+        if constexpr (std::is_invocable_v<const Judge&, const E&>) return judge(e);
+        return std::nullopt;
+    });
 }
 
-Found PixelWatch::see(const EventView& event, const State& after) {
-    const auto judged = [&](const auto& judge) { return remembered(event.visit(judge), after.step()); };
-    switch (algorithm_of(after.header().method)) {
-        case Algorithm::warnock: {
-            if (const auto* call = event.get_if<event::Call>()) memory_.is_at_centre = call->at == Line::PC2;
-            if (const auto* row = event.get_if<event::Row>()) {
-                memory_.row = row->row;
-            } else if (!event.get_if<event::Disagree>()) {
-                memory_.row.reset();
-            }
-            return judged(WarnockJudge{pixel_, memory_, after});
-        }
-        case Algorithm::z_buffer: {
-            const Found outcome = judged(ZBufferJudge{pixel_, memory_, after});
-            if (const auto* line = event.get_if<event::ShownLine>()) memory_.is_on_row = line->row == pixel_.y;
-            if (event.get_if<event::Span>()) memory_.is_on_row = false;
-            return outcome;
-        }
-        case Algorithm::weiler_atherton: return judged(RegionJudge{pixel_, memory_, after});
+using NameSet = std::array<bool, AllEvents::count>;
+
+template <class Judge, class... Events>
+constexpr NameSet judged_in(EventTypes<Events...>) {
+    return {std::is_invocable_v<const Judge&, const Events&>...};
+}
+/// The events that a judge judges, and others that the watch follows.
+template <class Judge, class... Followed>
+constexpr NameSet names_for() {
+    NameSet names = judged_in<Judge>(AllEvents{});
+    ((names[event_place<Followed>] = true), ...);
+    return names;
+}
+template <class... Events>
+constexpr NameSet only() {
+    NameSet names{};
+    ((names[event_place<Events>] = true), ...);
+    return names;
+}
+
+/// Whether a line clearly has another number under a key, which is given with its quotes and its colon.
+bool has_other(std::string_view line, std::string_view key, int number) {
+    const auto at = line.find(key);
+    if (at == line.npos || line.find('\\') != line.npos) return false;
+    int found = 0;
+    const char* const last = line.data() + line.size();
+    const auto [end, error] = std::from_chars(line.data() + at + key.size(), last, found);
+    return error == std::errc{} && end != last && (*end == ',' || *end == '}') && found != number;
+}
+
+/// Windows without the pixel are passed over, except for what leads out of them.
+bool needs_in_warnock(std::size_t name, Pixel pixel, const PixelWatch::Memory& memory, Detail detail) {
+    static constexpr NameSet inside = names_for<WarnockJudge, event::Call>();
+    static constexpr NameSet outside =
+        only<event::Push, event::Pop, event::Fill, event::Draw, event::Fault, event::Call>();
+    if (!memory.window || !overlaps(*memory.window, pixel)) return outside[name];
+    if (name == event_place<event::Orient>) return memory.is_at_centre;
+    if (name == event_place<event::Depth>) return detail != Detail::signs;
+    return inside[name];
+}
+
+bool needs_in_z_buffer(std::size_t name, const PixelWatch::Memory& memory) {
+    static constexpr NameSet on_row = names_for<ZBufferJudge, event::Polygon>();
+    static constexpr NameSet off_row =
+        only<event::Clear, event::Polygon, event::ShownLine, event::Span, event::Fault, event::Disagree>();
+    return (memory.is_on_row ? on_row : off_row)[name];
+}
+
+/// Keeps what later events refer to.
+struct Remember {
+    PixelWatch::Memory& memory;
+
+    void operator()(const event::Pop& e) const { memory.window = e.window; }
+    void operator()(const event::Call& e) const { memory.is_at_centre = e.at == Line::PC2; }
+    void operator()(const event::Row& e) const { memory.row = e.row; }
+    void operator()(const event::Polygon& e) const { memory.polygon = e.polygon; }
+    void operator()(const event::Curve& e) const { memory.curve = e.curve; }
+    void operator()(const auto&) const {}
+};
+
+}  // namespace
+
+PixelWatch::PixelWatch(Pixel pixel, const TraceHeader& header) : pixel_(pixel), header_(&header) {
+    if (algorithm_of(header.method) == Algorithm::weiler_atherton) regions_.emplace(header);
+}
+
+bool PixelWatch::needs(std::size_t name) const {
+    static constexpr NameSet in_column = names_for<ColumnJudge, event::Curve>();
+    if (header_.index() == 1) return in_column[name];
+    switch (algorithm_of(header().method)) {
+        case Algorithm::warnock: return needs_in_warnock(name, pixel_, memory_, header().detail);
+        case Algorithm::z_buffer: return needs_in_z_buffer(name, memory_);
+        case Algorithm::weiler_atherton: return true;
+    }
+    return true;
+}
+
+/// Most lines are on other rows, most pixels of a row in other columns, and so are most heights of curves.
+bool PixelWatch::is_elsewhere(std::size_t name, std::string_view line) const {
+    static constexpr NameSet of_row = only<event::ShownLine, event::Span>();
+    static constexpr NameSet of_column =
+        only<event::Pixel, event::Height, event::Visibility, event::Raise, event::Lower, event::Step>();
+    if (of_column[name]) return has_other(line, R"("x":)", pixel_.x);
+    return of_row[name] && !memory_.is_on_row && has_other(line, R"("row":)", pixel_.y);
+}
+
+Found PixelWatch::judged(const EventView& event) const {
+    if (const auto* of_curves = std::get_if<const FloatingHorizonHeader*>(&header_)) {
+        return found_by(ColumnJudge{pixel_.x, memory_, **of_curves}, event);
+    }
+    switch (algorithm_of(header().method)) {
+        case Algorithm::warnock: return found_by(WarnockJudge{pixel_, memory_, header().detail}, event);
+        case Algorithm::z_buffer: return found_by(ZBufferJudge{pixel_, memory_}, event);
+        case Algorithm::weiler_atherton:
+            return found_by(RegionJudge{pixel_, memory_, regions_->weiler_atherton()}, event);
     }
     return std::nullopt;
 }
 
-Found PixelWatch::see(const EventView& event, const FloatingHorizonState& after) {
-    return remembered(event.visit(ColumnJudge{pixel_.x, memory_, after}), after.step());
+Found PixelWatch::see(const EventView& event, std::uint64_t step) {
+    // The row is that of the event before, or of the one before events Disagree.
+    const bool follows = event.get_if<event::Disagree>() != nullptr && memory_.step == step - 1;
+    if (!follows) memory_.row.reset();
+    memory_.step = step;
+    event.visit(Remember{memory_});
+    if (regions_) regions_->apply(event);
+    const Found outcome = judged(event);
+    if (outcome) memory_.said_at = step;
+    // ShowLine begins with its row and ends with the span.
+    if (const auto* line = event.get_if<event::ShownLine>()) memory_.is_on_row = line->row == pixel_.y;
+    if (event.get_if<event::Span>()) memory_.is_on_row = false;
+    return outcome;
 }
 
-Heading heading(const EventView& event, const State& after) {
-    switch (algorithm_of(after.header().method)) {
-        case Algorithm::warnock: {
-            const auto& current = after.warnock().current();
-            return current ? Heading(current->window) : Heading();
-        }
-        case Algorithm::z_buffer: {
-            const auto polygon = after.z_buffer().polygon();
-            return polygon ? Heading(*polygon) : Heading();
-        }
-        case Algorithm::weiler_atherton: {
-            // Once regions are painted no list is current.
-            if (const auto* paint = event.get_if<event::Paint>()) return paint->polygon;
-            if (const auto* order = event.get_if<event::Order>()) return order->polygon;
-            const auto& list = after.weiler_atherton().list_in_hand();
-            return list ? Heading(list->pieces[0]->polygon) : Heading();
-        }
-    }
-    return {};
-}
-
-Heading heading(const EventView&, const FloatingHorizonState& after) {
-    const auto& curve = after.values().curve;
-    return curve ? Heading(*curve) : Heading();
+Heading PixelWatch::heading(const EventView& event) const {
+    if (memory_.window) return *memory_.window;
+    if (memory_.polygon) return *memory_.polygon;
+    if (memory_.curve) return *memory_.curve;
+    if (!regions_) return {};
+    // Once regions are painted no list is current.
+    if (const auto* paint = event.get_if<event::Paint>()) return paint->polygon;
+    if (const auto* order = event.get_if<event::Order>()) return order->polygon;
+    const auto& list = regions_->weiler_atherton().list_in_hand();
+    return list ? Heading(list->pieces[0]->polygon) : Heading();
 }
 
 std::string sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -18,34 +19,46 @@ namespace vidno::say {
 enum class Outcome : unsigned char { pass, fail, paint, wrong, note };
 inline constexpr std::array<std::string_view, 5> outcome_names{"pass", "fail", "paint", "wrong", "note"};
 
-/// Follows a pixel through a run.
+/// What was current at the step: a window, a polygon, or a curve.
+using Heading = std::variant<std::monostate, Window, PolygonPlace, int>;
+
+/// Follows a pixel through a run. It keeps what it needs of the run by itself, and need not even see most events.
 class PixelWatch {
 public:
-    explicit PixelWatch(Pixel pixel) : pixel_(pixel) {}
+    /// The header must outlive it.
+    PixelWatch(Pixel pixel, const TraceHeader& header);
+    PixelWatch(Pixel pixel, const FloatingHorizonHeader& header) : pixel_(pixel), header_(&header) {}
 
-    /// Takes the next event, after which the run has this state. None if it does not concern the pixel.
-    std::optional<Outcome> see(const EventView& event, const State& after);
-    std::optional<Outcome> see(const EventView& event, const FloatingHorizonState& after);
+    /// Whether it must see the next event, as far as its name tells, given as the place of its type in AllEvents.
+    bool needs(std::size_t name) const;
+    /// Whether the text of such an event in the trace tells that it need not be read.
+    bool is_elsewhere(std::size_t name, std::string_view line) const;
+    /// Takes the event of this step. None if it does not concern the pixel.
+    std::optional<Outcome> see(const EventView& event, std::uint64_t step);
+    /// After the event that was seen last.
+    Heading heading(const EventView& event) const;
 
     /// What it remembers between events.
     struct Memory {
-        std::optional<int> row{};   // Warnock: that of FillPolygon, if the last event was one
-        bool is_at_centre = false;  // Warnock: whether the point of SurroundTest is that of PointColor
-        bool is_on_row = false;     // Z-buffer: whether ShowLine is on the pixel's row
-        std::uint64_t said_at = 0;  // the last step that concerned the pixel
+        std::uint64_t step = 0;                 // of the event that was seen last
+        std::uint64_t said_at = 0;              // the last step that concerned the pixel
+        std::optional<Window> window{};         // Warnock: the current one
+        std::optional<int> row{};               // Warnock: that of FillPolygon, if the last event was one
+        bool is_at_centre = false;              // Warnock: whether the point of SurroundTest is that of PointColor
+        std::optional<PolygonPlace> polygon{};  // Z-buffer: the current one
+        bool is_on_row = false;                 // Z-buffer: whether ShowLine is on the pixel's row
+        std::optional<int> curve{};             // floating horizon: the current one
     };
 
 private:
-    std::optional<Outcome> remembered(std::optional<Outcome> outcome, std::uint64_t step);
+    std::optional<Outcome> judged(const EventView& event) const;
+    const TraceHeader& header() const { return **std::get_if<const TraceHeader*>(&header_); }
 
     Pixel pixel_;
+    std::variant<const TraceHeader*, const FloatingHorizonHeader*> header_;
     Memory memory_;
+    std::optional<State> regions_;  // Weiler and Atherton's algorithm needs the current list
 };
-
-/// What was current at the step: a window, a polygon, or a curve.
-using Heading = std::variant<std::monostate, Window, PolygonPlace, int>;
-Heading heading(const EventView& event, const State& after);
-Heading heading(const EventView& event, const FloatingHorizonState& after);
 
 /// The sentence of a step in the history: its own, or, for a polygon that missed the pixel, only that.
 std::string sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language);

@@ -87,7 +87,7 @@ bool read_on(int number, void (*read)(Replay&, std::string& request)) {
 struct Followed {
     int trace;
     say::PixelWatch watch;
-    AnyState state;
+    std::uint64_t seen = 0;  // the last step that was read
 };
 
 std::map<int, Followed>& histories() {
@@ -113,25 +113,28 @@ void append_heading(Text& out, const say::Heading& heading, const AnyHeader& hea
     }
 }
 
+say::PixelWatch watch_of(const AnyHeader& any, Pixel pixel) {
+    return std::visit([&](const auto& header) { return say::PixelWatch(pixel, header); }, any);
+}
+
 /// Lets a history read the next step.
 void read_step(Followed& history, Text& out, bool& is_first) {
     Replay& of = replay(history.trace);
-    const EventView event = of.advance(history.state);
-    std::visit(
-        [&](const auto& after) {
-            const auto outcome = history.watch.see(event, after);
-            if (!outcome) return;
-            out += is_first ? "" : ",";
-            is_first = false;
-            out += std::string_view(R"({"step":)");
-            append_integer(out, after.step());
-            out += std::string_view(R"(,"outcome":")");
-            out += say::outcome_names[std::size_t(*outcome)];
-            out += std::string_view(R"(","under":)");
-            append_heading(out, say::heading(event, after), of.header());
-            out += '}';
-        },
-        history.state);
+    const std::uint64_t step = ++history.seen;
+    const std::size_t name = of.names()[step - 1];
+    if (!history.watch.needs(name) || history.watch.is_elsewhere(name, of.line(step))) return;
+    const EventView event = of.event(step);
+    const auto outcome = history.watch.see(event, step);
+    if (!outcome) return;
+    out += is_first ? "" : ",";
+    is_first = false;
+    out += std::string_view(R"({"step":)");
+    append_integer(out, step);
+    out += std::string_view(R"(,"outcome":")");
+    out += say::outcome_names[std::size_t(*outcome)];
+    out += std::string_view(R"(","under":)");
+    append_heading(out, history.watch.heading(event), of.header());
+    out += '}';
 }
 
 /// The screen of a run of polygons.
@@ -158,10 +161,6 @@ const Value* depth_at(int number, int x, int y) {
     const Screen* screen = screen_of(number);
     const bool has_one = screen != nullptr && screen->depths() && screen->area().contains(x, y);
     return has_one ? &screen->depths()->at(x, y) : nullptr;
-}
-
-std::uint64_t step_of(const AnyState& state) {
-    return std::visit([](const auto& of_kind) { return of_kind.step(); }, state);
 }
 
 void append_shortened(Text& out, const Replay::Shortened& shortened) {
@@ -232,8 +231,8 @@ extern "C" {
 
 [[clang::export_name("history_open")]] int vidno_history_open(int trace, int x, int y) {
     static int last = 0;
-    vidno::histories().emplace(++last,
-                               vidno::Followed{trace, vidno::say::PixelWatch({x, y}), vidno::replay(trace).start()});
+    const auto& header = vidno::replay(trace).header();
+    vidno::histories().emplace(++last, vidno::Followed{trace, vidno::watch_of(header, {x, y})});
     return last;
 }
 
@@ -244,7 +243,7 @@ extern "C" {
         auto& followed = vidno::histories().at(history);
         bool is_first = true;
         page.made += '[';
-        while (vidno::step_of(followed.state) < until) vidno::read_step(followed, page.made, is_first);
+        while (followed.seen < until) vidno::read_step(followed, page.made, is_first);
         page.made += ']';
     });
 }
