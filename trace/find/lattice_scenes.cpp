@@ -40,17 +40,20 @@ class Drawing {
 public:
     Drawing(RandomPolygons& random, const Lattice& of)
         : random_(random),
+          greatest_(of.greatest),
           unit_(std::ldexp(1.0, -random.whole(0, of.places))),
           depth_unit_(std::ldexp(1.0, -random.whole(0, of.depth_places))) {}
 
     /// Half of them in the area.
     double coordinate(int side) {
+        if (greatest_ > 0) return random_.whole(-greatest_, greatest_) * unit_;
         const int steps = int(1 / unit_);
         return random_.whole(0, 1) == 0 ? random_.whole(0, side * steps) * unit_
                                         : random_.whole(-(side + 1) * steps, (2 * side + 1) * steps) * unit_;
     }
     double depth() {
-        const int steps = int(1 / depth_unit_);
+        const int all = int(1 / depth_unit_);
+        const int steps = greatest_ > 0 ? std::min(all, greatest_) : all;
         return random_.whole(-steps, steps) * depth_unit_;
     }
     glm::dvec3 vertex(const Area& area) { return glm::dvec3{coordinate(area.width), coordinate(area.height), depth()}; }
@@ -59,6 +62,7 @@ public:
 
 private:
     RandomPolygons& random_;
+    int greatest_;
     double unit_, depth_unit_;
 };
 

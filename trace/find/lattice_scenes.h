@@ -16,6 +16,7 @@ struct Lattice {
     int most_polygons = 1;  // at most 7
     int places = 1;         // binary, of x and y
     int depth_places = 2;   // binary, of z
+    int greatest = 0;       // number of units of a coordinate; 0: as the area demands
     bool is_coarse = true;  // no scene of the families, and no change by ulps
 
     /// The larger the number, the larger and finer; from 0.

@@ -70,6 +70,17 @@ private:
         Lattice lattice = Lattice::of_growth(grown);
         report_.widest = std::max(report_.widest, lattice.widest);
         report_.most_polygons = std::max(report_.most_polygons, std::size_t(lattice.most_polygons));
+        // Once a scene is found, half of the scenes have no greater numbers than the smallest.
+        constexpr double small = 8;
+        const bool is_found = last_success_ > 0;
+        if (is_found && random_.whole(0, 1) == 0 && kept_.front().size.coordinate() <= small) {
+            const SceneSize& least = kept_.front().size;
+            const Area& area = kept_.front().scene->area;
+            lattice.widest = std::max(area.width, area.height);
+            lattice.most_polygons = int(least.polygons());
+            lattice.greatest = std::max(1, int(least.coordinate()) - random_.whole(0, 1));
+            lattice.is_coarse = true;
+        }
         return lattice;
     }
 
