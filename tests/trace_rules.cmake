@@ -1,7 +1,7 @@
 # Checks that each folder of trace/ includes only itself and the folders before it, and that the recorder makes each event of the table.
 # Run with -P; TRACE is the folder.
 cmake_minimum_required(VERSION 3.25)
-set(folders json choice picture scene format run check replay say event_table margin proof regions import chart stability sign_map homework page
+set(folders json choice picture scene format run check replay say event_table margin proof regions import chart stability find sign_map homework page
             figure grade lesson wasm cli)
 
 file(GLOB_RECURSE files RELATIVE ${TRACE} ${TRACE}/*.h ${TRACE}/*.cpp)

@@ -355,6 +355,13 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "shrink " + scene + " --keep decision" + output,
              "shrink " + scene + " --at W13" + output,
              "shrink " + scene + " --keep decision --at Q1" + output,
+             "find 'PW7 >' " + output,
+             "find 'PW7 > 0 && Z16 > 0'" + output,
+             "find 'PW7 > 0' --method zbuffer" + output,
+             std::string("find 'PW7 > 0'"),
+             "trace " + scene + " --until 'zeros > 0'" + output,
+             "trace " + scene + " --until 'W5 > 1' --max-events 3" + output,
+             std::string("stability --count 1 --where 'W5 > 1'"),
              std::string("need"),
              std::string("worksheet"),
              "worksheet " + scene,
@@ -1038,9 +1045,9 @@ TEST_CASE("figure: an impossible figure is refused in one line, and no file appe
 
 TEST_CASE("Help lists the commands, exit 0") {
     for (const std::string call :
-         {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "page --help", "map --help", "say --help", "figure --help", "stability --help", "homework --help",
-          "worksheet --help", "import --help", "methods", "--version"}) {
+         {"--help", "trace --help", "check --help", "shrink --help", "find --help", "find --list", "need --help",
+          "choose --help", "chart --help", "page --help", "map --help", "say --help", "figure --help",
+          "stability --help", "homework --help", "worksheet --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

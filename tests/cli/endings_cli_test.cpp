@@ -41,6 +41,7 @@ TEST_CASE("An empty argument, as an unset variable of a shell leaves it, is refu
         "check ''",
         "check " + scene + " --list ''",
         "shrink '' -o " + out + ".json",
+        "find '' -o " + out + ".json",
         "need ''",
         "choose ''",
         "map ''",

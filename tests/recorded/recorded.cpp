@@ -455,7 +455,7 @@ void say_what_to_do(const std::string& group) {
     std::cout << "\nA run that changed is where a changed scene, method and way meet; `vidno_recorded " << group
               << " --runs`, of a program of before and of this one, says which.\nTo see one:\n  vidno_recorded "
               << group << " --scene NAME >scene.json\n  vidno trace scene.json METHOD WAY --max-events " << most_events
-              << " -o trace.jsonl\ndocs/building.md says under \"Recorded hashes\" when other hashes may be recorded.\n";
+              << " -o trace.jsonl\ndocs/building.md says when other hashes may be recorded.\n";
 }
 
 /// The table of the runs of every `step`th scene of a group.

@@ -486,8 +486,8 @@ TEST_CASE("Shrinking keeps only the curves, samples and binary places that a pro
 
 TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows, and right under filtered") {
     const Campaign campaign{"1.0.0", 1, 40, {"horizon-ties"}, {"float"}, {"floating-horizon"}};
-    const auto text =
-        witness(campaign, family_of("horizon-ties"), experiment_of("moved-1"), 0, "floating-horizon", "float", [] {});
+    const auto text = witness(campaign, family_of("horizon-ties"), experiment_of("moved-1"), 0, "floating-horizon",
+                              "float", {}, [] {});
     REQUIRE(text);
     const Failure failure = read_failure(*text, "witness.json");
     const auto& curves = std::get<Surface>(*failure.scene).curves;

@@ -12,6 +12,7 @@ namespace vidno::cli {
 void add_trace(CLI::App& program, int& status);
 void add_render(CLI::App& program, int& status);
 void add_check(CLI::App& program, int& status);
+void add_find(CLI::App& program, int& status);
 void add_shrink(CLI::App& program, int& status);
 void add_need(CLI::App& program, int& status);
 void add_choose(CLI::App& program, int& status);

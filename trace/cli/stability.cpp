@@ -18,6 +18,7 @@
 #include "cli/shared/run_options.h"
 #include "cli/shared/shard.h"
 #include "counted.h"
+#include "find/measures.h"
 #include "output.h"
 #include "scene/scene_json.h"
 #include "scene/surface.h"
@@ -32,7 +33,7 @@ namespace {
 
 struct StabilityOptions {
     Campaign campaign;
-    std::string shard = "1/1", output, witnesses, trial, script;
+    std::string shard = "1/1", output, witnesses, where, trial, script;
     std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency()), tasks = 0, extended = 0;
     std::vector<std::string> merged;
 };
@@ -191,8 +192,26 @@ int verdict(const Results& results) {
     return 1;
 }
 
+/// Whether the right run of a scene by the method meets the condition; empty without one.
+Property meets(const std::string& text, const std::string& method) {
+    if (text.empty()) return {};
+    const auto condition = std::make_shared<const Condition>(text);
+    return [condition, method = Method(place_in(method_names, method))](const AdmittedScene& scene) {
+        return condition->is_met(measured(*condition, scene, method, kernel_of(KernelKind::filtered)));
+    };
+}
+
+/// Refuses what is no condition, or does not suit a method. Curves meet none.
+void expect_condition(const std::string& text, const std::vector<std::string>& methods) {
+    if (text.empty()) return;
+    const Condition condition(text);
+    for (const auto& method : methods) {
+        if (method != floating_horizon_method) expect_suits(condition, Method(place_in(method_names, method)));
+    }
+}
+
 /// Writes a file for each family, method and kernel that painted wrong pictures and may be wrong.
-void write_witnesses(const Results& results, const std::string& folder) {
+void write_witnesses(const Results& results, const std::string& folder, const std::string& where) {
     const Campaign& campaign = results.campaign();
     std::filesystem::create_directories(folder);
     for (const auto& name : campaign.families) {
@@ -206,8 +225,9 @@ void write_witnesses(const Results& results, const std::string& folder) {
             if (experiment == experiments.end() || kernel_named(kernel)->snaps()) continue;
             const auto& failing = results.sum(name, *experiment)[i].failing;
             Progress progress("scenes tried for " + name + ", " + method + ", " + kernel);
-            const auto failure = witness(campaign, family_of(name), *experiment, failing.empty() ? 0 : failing.front(),
-                                         method, kernel, [&, tried = 0ULL]() mutable { progress.show(++tried); });
+            const auto failure =
+                witness(campaign, family_of(name), *experiment, failing.empty() ? 0 : failing.front(), method, kernel,
+                        meets(where, method), [&, tried = 0ULL]() mutable { progress.show(++tried); });
             progress.clear();
             if (!failure) continue;
             const std::string file = folder + "/" + name + "." + method + "." + kernel + ".json";
@@ -221,9 +241,10 @@ int merge(const StabilityOptions& options) {
     std::optional<OutputFile> file;
     if (!options.output.empty()) file.emplace(options.output);
     const Results results = merged(options.merged, file ? &*file : nullptr);
+    expect_condition(options.where, results.campaign().methods);
     if (file) file->commit();
     print(results);
-    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses);
+    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses, options.where);
     const int status = verdict(results);
     if (results.missing() == 0) return status;
     std::cerr << "blocks missing: " << results.missing() << " of " << results.blocks().all() << '\n';
@@ -385,6 +406,7 @@ int stability(const StabilityOptions& options) {
     if (!options.script.empty()) return write_script(options);
     const Shard shard = shard_from(options.shard);
     Results results(campaign_of(options));
+    expect_condition(options.where, results.campaign().methods);
     std::optional<Journal> journal;
     if (!options.output.empty()) {
         journal.emplace(options.output, header_of(results.campaign()));
@@ -404,7 +426,7 @@ int stability(const StabilityOptions& options) {
     });
     progress.clear();
     print(results);
-    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses);
+    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses, options.where);
     return verdict(results);
 }
 
@@ -452,9 +474,13 @@ void add_stability(CLI::App& program, int& status) {
     auto* merge = command.add_option("--merge", options->merged, "Merge result files instead of running a campaign");
     command.add_option("-o", options->output,
                        "Keep the results, .jsonl; an interrupted campaign continues where it stopped");
-    command.add_option(
+    auto* witnesses = command.add_option(
         "--witnesses", options->witnesses,
         "A folder for failures: the smallest scene of each family on which a method and kernel paint a wrong pixel");
+    command
+        .add_option("--where", options->where,
+                    "Only witnesses whose right run meets this condition, such as 'polygons <= 2' (vidno find --list)")
+        ->needs(witnesses);
     for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed"}) {
         merge->excludes(of_run);
         extend->excludes(of_run);

@@ -5,6 +5,7 @@
 #include "cli/shared/run_options.h"
 #include "cli/shared/scene_files.h"
 #include "counted.h"
+#include "find/until.h"
 #include "output.h"
 #include "run/write_trace.h"
 
@@ -21,6 +22,7 @@ constexpr std::string_view example_scene = R"(  {"window": {"x": 0, "y": 0, "wid
 
 struct TraceOptions : RunOptions {
     std::string output;
+    std::string until;  // a condition, or empty
     std::uint64_t most_events = TraceWriter::no_limit;
     bool check = false;
 };
@@ -43,20 +45,27 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     losses.add(options.scene, writer.losses());
     if (!whole) {
         const std::string events = counted(writer.events(), "event", "events");
-        losses.add(options.output, {{"partial: stopped after " + events + " (--max-events)", {}}});
+        const std::string by = options.until.empty() ? "--max-events" : "--until " + options.until;
+        losses.add(options.output, {{"partial: stopped after " + events + " (" + by + ")", {}}});
+    } else if (!options.until.empty()) {
+        losses.add(options.output, {{"whole: the run never meets --until " + options.until, {}}});
     }
     return losses.report();
 }
 
-int trace_scene(const TraceOptions& options, const AdmittedScene& given) {
+int trace_scene(TraceOptions options, const AdmittedScene& given) {
     const NamedKernel kernel = kernel_of(options);
     const AdmittedScene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     const RunRequest request = request_of(options, kernel, scene);
+    if (!options.until.empty()) {
+        options.most_events = events_until(options.until, request).value_or(TraceWriter::no_limit);
+    }
     return write_traced(TraceHeader{request.method, request.edition, kernel.name(), request.detail, scene}, request,
                         options);
 }
 int trace_scene(const TraceOptions& options, const Surface& surface) {
+    if (!options.until.empty()) throw Refused("--until: only for polygons");
     const FloatingHorizonRequest request = request_of(options, surface);
     return write_traced(FloatingHorizonHeader{request.edition, request.kernel.name(), request.detail, surface}, request,
                         options);
@@ -76,14 +85,20 @@ void add_trace(CLI::App& program, int& status) {
     command.add_option("--detail", options->detail, "The level of detail; each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
-    command.add_flag("--check", options->check,
-                     "Write the exact answer beside each decision, and mark wrong decisions");
-    command.add_option("--max-events", options->most_events, "Stop after this many events, and keep them")
-        ->check(a_count());
+    auto* check = command.add_flag("--check", options->check,
+                                   "Write the exact answer beside each decision, and mark wrong decisions");
+    auto* most = command.add_option("--max-events", options->most_events, "Stop after this many events, and keep them")
+                     ->check(a_count());
+    command
+        .add_option("--until", options->until,
+                    "Stop after the first step at which this condition is met, such as 'W13 == 2' (vidno find --list)")
+        ->excludes(most)
+        ->excludes(check);
     command.add_option("-o", options->output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
     command.footer(
         "Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz\n"
-        "Exit status 1: the run lost something, or --max-events ended it; standard error says what and where.\n"
+        "Exit status 1: the run lost something, --max-events or --until ended it, or it never met --until; standard "
+        "error says what and where.\n"
         "A scene written by hand (greater z is nearer; names, colours and the window have defaults):\n" +
         std::string(example_scene));
     command.callback([options, &status] { status = trace(*options); });

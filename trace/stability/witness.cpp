@@ -73,16 +73,17 @@ std::string failure_of(const std::string& scene, const Family& family, const std
 
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
                                    std::uint64_t first, const std::string& method, const std::string& kernel,
-                                   const std::function<void()>& progress) {
+                                   const Property& where, const std::function<void()>& progress) {
     const NamedKernel named = *kernel_named(kernel);
     const auto tried = std::find(method_names.begin(), method_names.end(), method);
     const auto of_scene = [&](const AdmittedScene& scene) {
         progress();
-        return wrong_pixel(scene, Method(tried - method_names.begin()), named);
+        const auto wrong = wrong_pixel(scene, Method(tried - method_names.begin()), named);
+        return wrong && where && !where(scene) ? std::nullopt : wrong;
     };
     const auto of_curves = [&](const AdmittedCurves& scene) {
         progress();
-        return wrong_column(scene, named);
+        return where ? std::nullopt : wrong_column(scene, named);
     };
     for (std::uint64_t trial = first; trial < campaign.count; ++trial) {
         const TrialScenes scenes = scenes_of(campaign.seed, family, experiment, trial);

@@ -61,7 +61,7 @@ struct ProcessWindow {
     }
 
 private:
-    /// PW5 and PW6: at how many corners is the polygon nearer than those before it? There it is the nearest from now on.
+    /// PW5 and PW6: at how many corners is the polygon nearer than those before it? It is then the nearest there.
     template <class Run>
     static int compare_corners(Run& run, const auto& polygon, const auto& corners,
                                std::array<typename Run::Depth, 4>& nearest) {

@@ -1,6 +1,7 @@
 /// What `npx vidno` lacks, since it needs libraries or programs outside Node. Each refusal says so.
 #include "chart/chart_input.h"
 #include "figure/writers.h"
+#include "find/until.h"
 #include "import/import.h"
 #include "lesson/story.h"
 #include "page/program.h"
@@ -31,6 +32,7 @@ std::string output_of(const std::vector<std::string>& command, std::string_view)
 
 std::string encode_png(const Picture&, const std::string& name) { throw only_native(name); }
 
+std::optional<std::uint64_t> events_until(const std::string&, RunRequest) { throw only_native("--until"); }
 AnyChart read_chart(std::string_view, const std::string& file) { throw only_native(file); }
 ImportedScene import_mesh_file(const std::string& file, const ImportOptions&) { throw only_native(file); }
 Story read_story(std::string_view, Language, const std::string& file, Problems&) { throw only_native(file); }

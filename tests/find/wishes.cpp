@@ -1,0 +1,161 @@
+/// Whether `vidno find` finds what is wished, and what is smallest.
+///
+/// Takes   the file of wishes and the seconds for each.
+/// Does    searches for each wish and runs what was found under the exact kernel; then enumerates all small scenes for
+///         other conditions, and compares the smallest with what the search finds. The enumeration shares no code with
+///         the search.
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "choice/method.h"
+#include "find/measures.h"
+#include "find/scene_size.h"
+#include "find/search.h"
+#include "scene/exact_scene.h"
+
+namespace vidno {
+
+namespace {
+
+Method method_of(const Condition& condition, const std::string& name) {
+    if (name.empty()) return method_for(condition);
+    return Method(std::find(method_names.begin(), method_names.end(), name) - method_names.begin());
+}
+
+/// Whether a scene is found and meets the condition in exact arithmetic.
+bool is_granted(const std::string& text, const std::string& method_name, double seconds) {
+    const Condition condition(text);
+    const Method method = method_of(condition, method_name);
+    const SearchReport report = search({.condition = condition, .method = method, .seconds = seconds});
+    const bool granted =
+        report.found && condition.is_met(measured(condition, *report.found, method, kernel_of(KernelKind::exact)));
+    std::cout << (granted ? "found     " : "not found ") << text << "  (" << report.scenes << " scenes)\n";
+    return granted;
+}
+
+// ------------------------------------------------------------------------------------- all small scenes
+
+using Outline = std::vector<glm::dvec3>;
+
+/// All triangles whose coordinates are -most to most in units of 1 or 1/2, level at a depth of 0, or also of 1; each in
+/// both directions.
+std::vector<Outline> all_triangles(int most, bool also_nearer) {
+    std::vector<Outline> all;
+    for (const double unit : {1.0, 0.5}) {
+        std::vector<glm::dvec3> points;
+        for (int x = -most; x <= most; ++x) {
+            for (int y = -most; y <= most; ++y) points.emplace_back(x * unit, y * unit, 0);
+        }
+        for (std::size_t a = 0; a < points.size(); ++a) {
+            for (std::size_t b = 0; b < points.size(); ++b) {
+                for (std::size_t c = a + 1; c < points.size(); ++c) {
+                    if (b <= a || b == c) continue;
+                    for (const double z : {0.0, 1.0}) {
+                        if (z > 0 && !also_nearer) continue;
+                        Outline outline{points[a], points[b], points[c]};
+                        for (auto& vertex : outline) vertex.z = z;
+                        all.push_back(outline);
+                    }
+                }
+            }
+        }
+    }
+    return all;
+}
+
+/// The size of the smallest of all scenes of some small triangles in areas of up to two by two pixels, or three in a
+/// row.
+std::optional<SceneSize> smallest(const Condition& condition, Method method, int polygons) {
+    const auto triangles = all_triangles(polygons == 1 ? 3 : 1, polygons > 1);
+    std::optional<SceneSize> least;
+    const auto try_out = [&](Scene scene) {
+        const SceneSize size(scene);
+        if (least && !(size < *least)) return;
+        const AdmittedScene admitted = exact_scene::admit(std::move(scene));
+        if (condition.is_met(measured(condition, admitted, method, kernel_of(KernelKind::filtered)))) least = size;
+    };
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 2}, {2, 1}, {1, 3}, {3, 1}, {2, 2}}) {
+        for (const Outline& first : triangles) {
+            Scene scene;
+            scene.area = {0, 0, width, height};
+            scene.polygons.push_back({"A", {1, 0, 0}, first, false});
+            if (polygons == 1) {
+                try_out(scene);
+                continue;
+            }
+            for (const Outline& second : triangles) {
+                Scene both = scene;
+                both.polygons.push_back({"B", {2, 0, 0}, second, false});
+                try_out(std::move(both));
+            }
+        }
+    }
+    return least;
+}
+
+struct Smallest {
+    const char* condition;
+    int polygons;
+    const char* method = "";
+};
+
+constexpr Smallest compared[]{
+    {"PW7 > 0", 1},
+    {"PL5 == 8", 1},
+    {"F2 == 2 && W11 == 1", 1},
+    {"Z16 > 0 && Z17 == 0", 1},
+    {"PL7 > 0 && PL5 == 0", 1},
+    {"pixels(A) == 2", 1},
+    {"L6 == 3", 1},
+    {"wrong(float) > 0", 1},
+    {"Z9 > 0", 1},
+    {"L2 > 0", 1},
+    {"splits > 0", 2},
+    {"W8 > 0 && polygons == 2", 2},
+    {"PC4 == 2", 2},
+    {"WF10 > 0", 2, "warnock-full"},
+};
+
+/// Whether the search finds a scene as small as the enumeration.
+bool is_smallest(const Smallest& each, double seconds) {
+    const Condition condition(each.condition);
+    const Method method = method_of(condition, each.method);
+    const auto least = smallest(condition, method, each.polygons);
+    const SearchReport report = search({.condition = condition, .method = method, .seconds = seconds});
+    const auto text = [](const std::optional<SceneSize>& size) {
+        std::ostringstream numbers;
+        if (!size)
+            numbers << " none";
+        else
+            for (const double number : size->numbers) numbers << ' ' << number;
+        return numbers.str();
+    };
+    const auto found = report.found ? std::optional<SceneSize>(*report.found) : std::nullopt;
+    const bool agrees = least.has_value() == found.has_value() && (!least || *found == *least);
+    std::cout << (agrees ? "smallest  " : "differs   ") << each.condition << "  enumerated" << text(least) << ", found"
+              << text(found) << '\n';
+    return agrees;
+}
+
+int test(const std::string& file, double seconds) {
+    std::ifstream wishes(file);
+    std::cout << std::unitbuf;  // so that a test that is stopped says how far it came
+    int wished = 0, granted = 0, agreeing = 0;
+    for (std::string line; std::getline(wishes, line);) {
+        if (line.empty() || line.front() == '#') continue;
+        const auto tab = line.find('\t');
+        ++wished;
+        granted += is_granted(line.substr(0, tab), tab == line.npos ? "" : line.substr(tab + 1), seconds) ? 1 : 0;
+    }
+    for (const Smallest& each : compared) agreeing += is_smallest(each, seconds) ? 1 : 0;
+    std::cout << granted << " of " << wished << " wishes found; " << agreeing << " as small as can be\n";
+    return wished == 30 && granted >= 27 && agreeing >= 10 ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace vidno
+
+int main(int argc, char** argv) { return argc == 3 ? vidno::test(argv[1], std::stod(argv[2])) : 2; }

@@ -1,0 +1,42 @@
+#include "find/scene_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "stability/shrink.h"
+
+namespace vidno {
+
+namespace {
+
+struct InUnits {
+    double greatest = 0, sum = 0;
+
+    explicit InUnits(const std::vector<double>& numbers) {
+        int places = 0;
+        for (const double number : numbers) places = std::max(places, binary_places(number));
+        for (const double number : numbers) {
+            const double units = std::ldexp(std::abs(number), places);
+            greatest = std::max(greatest, units);
+            sum += units;
+        }
+    }
+};
+
+}  // namespace
+
+SceneSize::SceneSize(const Scene& scene) {
+    std::vector<double> places, depths;
+    for (const auto& polygon : scene.polygons) {
+        for (const auto& vertex : polygon.vertices) {
+            places.insert(places.end(), {vertex.x, vertex.y});
+            depths.push_back(vertex.z);
+        }
+    }
+    const InUnits across(places), deep(depths);
+    numbers = {double(scene.polygons.size()), double(depths.size()), double(scene.area.width) * scene.area.height,
+               std::max(across.greatest, deep.greatest), across.sum + deep.sum};
+}
+
+}  // namespace vidno
