@@ -7,6 +7,7 @@
 #include "find/measures.h"
 #include "find/scene_size.h"
 #include "find/search.h"
+#include "find/until.h"
 #include "refused.h"
 #include "support/scenes.h"
 
@@ -109,6 +110,27 @@ TEST_CASE("a condition determines a method that has its lines") {
     CHECK_THROWS_AS(method_for(Condition("Z16 > 0 && W7 > 0")), Refused);
     CHECK_THROWS_AS(expect_suits(Condition("Z16 > 0"), Method::warnock), Refused);
     CHECK_THROWS_AS(expect_suits(Condition("wrong(depth:8) > 0"), Method::warnock), Refused);
+}
+
+TEST_CASE("a trace until a condition ends with the step that meets it") {
+    const AdmittedScene scene = scene_of({whole_area, nearer_corner}, 4, 4);
+    for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
+        RunRequest request{Method::warnock, kernel_of(KernelKind::binary64), Edition::corrected, scene, detail};
+        const auto last = events_until("W13 == 2", request);
+        REQUIRE(last);
+        std::uint64_t events = 0, splits = 0;
+        HeardBy sink([&](const EventView& event) {
+            const auto* decide = event.get_if<event::Decide>();
+            splits += decide && decide->which == Case::split ? 1 : 0;
+            if (++events == *last) CHECK((decide && splits == 2));
+        });
+        request.sink = &sink;
+        told_run(request);
+        CHECK(events > *last);
+        CHECK_FALSE(events_until("windows > 9", request));
+        CHECK(events_until("polygons == 2", request) == 1U);
+        CHECK_THROWS_AS(events_until("zeros > 0", request), Refused);
+    }
 }
 
 TEST_CASE("a search finds the same small scene again") {
