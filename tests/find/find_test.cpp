@@ -7,8 +7,9 @@
 #include "find/measures.h"
 #include "find/scene_size.h"
 #include "find/search.h"
+#include "find/until.h"
 #include "refused.h"
-#include "support/scenes.h"
+#include "scene/exact_scene.h"
 
 namespace vidno {
 
@@ -30,10 +31,10 @@ AdmittedScene scene_of(std::vector<std::vector<glm::dvec3>> outlines, int width,
         const auto place = int(scene.polygons.size());
         scene.polygons.push_back({std::string(1, char('A' + place)), {std::uint8_t(place), 0, 0}, vertices, false});
     }
-    return admit(std::move(scene));
+    return exact_scene::admit(std::move(scene));
 }
 
-const std::vector<glm::dvec3> whole_area{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+const std::vector<glm::dvec3> far_square{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
 const std::vector<glm::dvec3> nearer_corner{{0, 0, .5}, {1, 0, .5}, {1, 1, .5}, {0, 1, .5}};
 
 double value_of(const std::string& name, const AdmittedScene& scene, Method method = Method::warnock) {
@@ -76,7 +77,7 @@ TEST_CASE("a condition has names, parts and a distance") {
 }
 
 TEST_CASE("what the names of a condition measure") {
-    const AdmittedScene scene = scene_of({whole_area, nearer_corner}, 4, 4);
+    const AdmittedScene scene = scene_of({far_square, nearer_corner}, 4, 4);
     CHECK(value_of("windows", scene) == 9);
     CHECK(value_of("splits", scene) == 2);
     CHECK(value_of("depth_of_stack", scene) == 7);
@@ -98,9 +99,9 @@ TEST_CASE("what the names of a condition measure") {
 }
 
 TEST_CASE("pixels are counted for each polygon, although colours are equal") {
-    Scene scene = scene_of({whole_area, nearer_corner}, 4, 4);
+    Scene scene = scene_of({far_square, nearer_corner}, 4, 4);
     for (auto& polygon : scene.polygons) polygon.color = scene.background;
-    CHECK(value_of("pixels(A)", admit(std::move(scene))) == 15);
+    CHECK(value_of("pixels(A)", exact_scene::admit(std::move(scene))) == 15);
 }
 
 TEST_CASE("a condition determines a method that has its lines") {
@@ -109,6 +110,27 @@ TEST_CASE("a condition determines a method that has its lines") {
     CHECK_THROWS_AS(method_for(Condition("Z16 > 0 && W7 > 0")), Refused);
     CHECK_THROWS_AS(expect_suits(Condition("Z16 > 0"), Method::warnock), Refused);
     CHECK_THROWS_AS(expect_suits(Condition("wrong(depth:8) > 0"), Method::warnock), Refused);
+}
+
+TEST_CASE("a trace until a condition ends with the step that meets it") {
+    const AdmittedScene scene = scene_of({far_square, nearer_corner}, 4, 4);
+    for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
+        RunRequest request{Method::warnock, kernel_of(KernelKind::binary64), Edition::corrected, scene, detail};
+        const auto last = events_until("W13 == 2", request);
+        REQUIRE(last);
+        std::uint64_t events = 0, splits = 0;
+        HeardBy sink([&](const EventView& event) {
+            const auto* decide = event.get_if<event::Decide>();
+            splits += decide && decide->which == Case::split ? 1 : 0;
+            if (++events == *last) CHECK((decide && splits == 2));
+        });
+        request.sink = &sink;
+        told_run(request);
+        CHECK(events > *last);
+        CHECK_FALSE(events_until("windows > 9", request));
+        CHECK(events_until("polygons == 2", request) == 1U);
+        CHECK_THROWS_AS(events_until("zeros > 0", request), Refused);
+    }
 }
 
 TEST_CASE("a search finds the same small scene again") {

@@ -15,7 +15,7 @@ namespace vidno {
 namespace {
 
 template <class... Events>
-LineSet lines_of(EventTypes<Events...>) {
+LineSet lines_with_steps(EventTypes<Events...>) {
     LineSet lines{};
     const auto add = [&](const LineSet& of) {
         if (of == LineSet::all()) return;
@@ -146,7 +146,7 @@ private:
 };
 
 /// The number of a name by its variable.
-std::size_t number_of(const std::string& variable, const std::vector<Name>& names) {
+std::size_t place_of(const std::string& variable, const std::vector<Name>& names) {
     if (variable.front() == '_') return std::stoul(variable.substr(1));
     const auto is_named = [&](const Name& each) { return each.text() == variable; };
     return std::size_t(std::find_if(names.begin(), names.end(), is_named) - names.begin());
@@ -174,7 +174,7 @@ std::string reason_of(const mu::Parser::exception_type& error) {
 double not_so(double value) { return value == 0 ? 1 : 0; }
 
 /// How far apart two sides are, where they must not be. The logarithm lets small counts weigh as much as great ones.
-double apart(double difference) {
+double far_apart(double difference) {
     constexpr double farthest = 100;
     return std::isfinite(difference) ? std::min(std::log2(1 + std::abs(difference)), farthest) : farthest;
 }
@@ -182,7 +182,7 @@ double apart(double difference) {
 }  // namespace
 
 bool is_counted(Line line) {
-    static const LineSet lines = lines_of(AllEvents{});
+    static const LineSet lines = lines_with_steps(AllEvents{});
     return lines.has(line);
 }
 
@@ -229,7 +229,7 @@ private:
         auto parser = std::make_shared<mu::Parser>();
         parser->DefineInfixOprt("!", not_so);
         for (const auto& variable : spelled_.variables) {
-            parser->DefineVar(variable, &values_[number_of(variable, spelled_.names)]);
+            parser->DefineVar(variable, &values_[place_of(variable, spelled_.names)]);
         }
         parser->SetExpr(spelled_.text.substr(first, end - first));
         return parser;
@@ -334,7 +334,7 @@ private:
         }
         if (is_met(node)) return 0;
         if (node.kind == Node::Kind::other || node.sign == "!=") return 1;
-        return std::max(apart(node.left->Eval() - node.right->Eval()), 0.5);
+        return std::max(far_apart(node.left->Eval() - node.right->Eval()), 0.5);
     }
 
     std::string given_;

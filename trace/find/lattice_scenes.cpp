@@ -36,9 +36,9 @@ std::optional<AdmittedScene> admitted_or_none(Scene scene) {
 }
 
 /// Draws numbers of a lattice over an area.
-class Drawing {
+class LatticeNumbers {
 public:
-    Drawing(RandomPolygons& random, const Lattice& of)
+    LatticeNumbers(RandomPolygons& random, const Lattice& of)
         : random_(random),
           greatest_(of.greatest),
           unit_(std::ldexp(1.0, -random.whole(0, of.places))),
@@ -71,7 +71,7 @@ Corners parallelogram(const glm::dvec3& corner, const glm::dvec3& along, const g
 }
 
 /// A polygon for a scene that has these already.
-Corners shape(RandomPolygons& random, Drawing& draw, const Scene& scene) {
+Corners drawn_shape(RandomPolygons& random, LatticeNumbers& draw, const Scene& scene) {
     const Area& area = scene.area;
     const int kind = random.whole(0, scene.polygons.empty() ? 5 : 8);
     const glm::dvec3 a = draw.vertex(area);
@@ -120,7 +120,7 @@ Corners shape(RandomPolygons& random, Drawing& draw, const Scene& scene) {
     }
 }
 
-void add_to(Scene& scene, Corners vertices) { scene.polygons.push_back({{}, {}, std::move(vertices), false}); }
+void add_polygon(Scene& scene, Corners vertices) { scene.polygons.push_back({{}, {}, std::move(vertices), false}); }
 
 /// One of the families' scenes, moved to where areas begin.
 std::optional<AdmittedScene> family_scene(RandomPolygons& random) {
@@ -136,9 +136,9 @@ std::optional<AdmittedScene> family_scene(RandomPolygons& random) {
 // ------------------------------------------------------------------------------------- changes
 
 /// Changes one thing of a scene.
-class Change {
+class SceneChange {
 public:
-    Change(Scene& scene, RandomPolygons& random, const Lattice& lattice)
+    SceneChange(Scene& scene, RandomPolygons& random, const Lattice& lattice)
         : scene_(scene), random_(random), lattice_(lattice), draw_(random, lattice) {}
 
     void one() {
@@ -149,7 +149,7 @@ public:
             case 3: return shift_polygon();
             case 4: return move_corner();
             case 5: return resize();
-            case 6: return add_to(scene_, shape(random_, draw_, scene_));
+            case 6: return add_polygon(scene_, drawn_shape(random_, draw_, scene_));
             case 7: return remove();
             case 8: return replace();
             case 9: return swap();
@@ -197,7 +197,7 @@ private:
         if (random_.whole(0, 1) == 0) scene_.area.width = scene_.area.height = side;
     }
     void remove() { scene_.polygons.erase(scene_.polygons.begin() + (&one_polygon() - scene_.polygons.data())); }
-    void replace() { one_polygon().vertices = shape(random_, draw_, scene_); }
+    void replace() { one_polygon().vertices = drawn_shape(random_, draw_, scene_); }
     void swap() {
         ScenePolygon& one = one_polygon();
         std::swap(one, one_polygon());
@@ -230,7 +230,7 @@ private:
     Scene& scene_;
     RandomPolygons& random_;
     const Lattice& lattice_;
-    Drawing draw_;
+    LatticeNumbers draw_;
 };
 
 }  // namespace
@@ -249,9 +249,9 @@ std::optional<AdmittedScene> lattice_scene(RandomPolygons& random, const Lattice
     Scene scene;
     scene.area.width = random.whole(1, lattice.widest);
     scene.area.height = random.whole(0, 3) == 0 ? random.whole(1, lattice.widest) : scene.area.width;
-    Drawing draw(random, lattice);
+    LatticeNumbers draw(random, lattice);
     for (int count = random.whole(1, lattice.most_polygons); count > 0; --count) {
-        add_to(scene, shape(random, draw, scene));
+        add_polygon(scene, drawn_shape(random, draw, scene));
     }
     return admitted_or_none(std::move(scene));
 }
@@ -259,13 +259,13 @@ std::optional<AdmittedScene> lattice_scene(RandomPolygons& random, const Lattice
 std::optional<AdmittedScene> random_body(RandomPolygons& random, const Lattice& lattice) {
     Scene scene;
     scene.area.width = scene.area.height = random.whole(1, lattice.widest);
-    Drawing draw(random, lattice);
+    LatticeNumbers draw(random, lattice);
     const glm::dvec3 a = draw.vertex(scene.area);
     const glm::dvec3 b = draw.vertex(scene.area);
     const glm::dvec3 c = draw.vertex(scene.area);
     const glm::dvec3 d = draw.vertex(scene.area);
     for (const Corners& face : {Corners{a, b, c}, Corners{a, c, d}, Corners{a, d, b}, Corners{b, d, c}}) {
-        add_to(scene, face);
+        add_polygon(scene, face);
     }
     return admitted_or_none(std::move(scene));
 }
@@ -275,7 +275,7 @@ std::optional<AdmittedScene> changed(Scene scene, RandomPolygons& random, const 
         return admitted_or_none(moved_by_ulps(std::move(scene), random.whole(1, 4), random));
     }
     for (int changes = 1 + random.whole(0, 3) * random.whole(0, 1); changes > 0 && !scene.polygons.empty(); --changes) {
-        Change(scene, random, lattice).one();
+        SceneChange(scene, random, lattice).one();
     }
     return admitted_or_none(std::move(scene));
 }

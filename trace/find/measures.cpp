@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -36,7 +37,7 @@ const nlohmann::json& procedure_with(Line line) {
     throw Refused("no listing has the line " + label);
 }
 
-bool has_line(std::string_view method, Line line) {
+bool lists_line(std::string_view method, Line line) {
     const auto& procedures = all_listings().at("methods").at(std::string(method));
     const auto& name = procedure_with(line).at("name");
     return std::find(procedures.begin(), procedures.end(), name) != procedures.end();
@@ -59,7 +60,7 @@ bool has_own_colors(const Scene& scene) {
                                                 [&](const ScenePolygon& each) { return add(each.color); });
 }
 
-double pixels_of(const std::string& id, const Scene& scene, const Picture& picture) {
+double pixels_showing(const std::string& id, const Scene& scene, const Picture& picture) {
     const auto& pixels = picture.pixels();
     std::ptrdiff_t count = 0;
     for (const auto& polygon : scene.polygons) {
@@ -138,7 +139,7 @@ double of_scene(const Name& name, const Scene& scene) {
 void expect_suits(const Condition& condition, Method method) {
     const std::string named = "--method " + std::string(method_names[std::size_t(method)]);
     for (const Name& name : condition.names()) {
-        if (name.quantity == Quantity::line && !has_line(method_names[std::size_t(method)], name.line)) {
+        if (name.quantity == Quantity::line && !lists_line(method_names[std::size_t(method)], name.line)) {
             throw Refused(named + ": its listings have no line " + name.text());
         }
         if (name.quantity == Quantity::wrong && !name.kernel.choice->runs(method, Edition::corrected)) {
@@ -150,7 +151,7 @@ void expect_suits(const Condition& condition, Method method) {
 Method method_for(const Condition& condition) {
     for (std::size_t i = 0; i < method_names.size(); ++i) {
         const auto is_in = [&](const Name& name) {
-            return name.quantity != Quantity::line || has_line(method_names[i], name.line);
+            return name.quantity != Quantity::line || lists_line(method_names[i], name.line);
         };
         if (std::all_of(condition.names().begin(), condition.names().end(), is_in)) return Method(i);
     }
@@ -185,7 +186,7 @@ std::vector<double> measured(const Condition& condition, const AdmittedScene& gi
             case Quantity::polygons:
             case Quantity::vertices:
             case Quantity::coordinates: values.push_back(of_scene(name, scene)); break;
-            case Quantity::pixels: values.push_back(pixels_of(name.argument, scene, picture)); break;
+            case Quantity::pixels: values.push_back(pixels_showing(name.argument, scene, picture)); break;
             case Quantity::wrong: values.push_back(wrong_pixels(name.kernel, method, scene, picture)); break;
             case Quantity::zeros: values.push_back(decisions.first); break;
             case Quantity::ulps: values.push_back(decisions.second); break;
@@ -206,7 +207,7 @@ std::string text_of(Line line) {
 std::vector<std::string> methods_with(Line line) {
     std::vector<std::string> methods;
     for (const auto& [name, procedures] : all_listings().at("methods").items()) {
-        if (has_line(name, line)) methods.push_back(name);
+        if (lists_line(name, line)) methods.push_back(name);
     }
     return methods;
 }

@@ -15,7 +15,7 @@ namespace vidno {
 
 namespace {
 
-constexpr std::size_t most_kept = 24;            // of the best scenes
+constexpr std::size_t most_best = 24;            // of the best scenes
 constexpr std::uint64_t least_patience = 20000;  // scenes tried after the last success
 
 class Search {
@@ -116,7 +116,7 @@ private:
         double distance = 0;
         const bool is_met = measure(*scene, distance);
         Kept kept{*scene, distance, SceneSize(*scene)};
-        if (kept_.size() >= most_kept && !(kept < kept_.back())) return;
+        if (kept_.size() >= most_best && !(kept < kept_.back())) return;
         const bool is_best = kept_.empty() || kept < kept_.front();
         keep(kept);
         if (!is_met || !is_best) return;
@@ -130,7 +130,7 @@ private:
         const auto place = std::lower_bound(kept_.begin(), kept_.end(), kept);
         if (place != kept_.end() && place->scene == kept.scene) return;
         kept_.insert(place, std::move(kept));
-        if (kept_.size() > most_kept) kept_.pop_back();
+        if (kept_.size() > most_best) kept_.pop_back();
     }
 
     /// Shrinks the first scene that was found; changes make it smaller still.

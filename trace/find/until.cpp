@@ -1,5 +1,8 @@
 #include "find/until.h"
 
+#include <algorithm>
+#include <concepts>
+
 #include "find/measures.h"
 #include "refused.h"
 
