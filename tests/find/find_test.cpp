@@ -119,13 +119,13 @@ TEST_CASE("a trace until a condition ends with the step that meets it") {
         const auto last = events_until("W13 == 2", request);
         REQUIRE(last);
         std::uint64_t events = 0, splits = 0;
-        HeardBy sink([&](const EventView& event) {
+        FunctionSink sink([&](const EventView& event) {
             const auto* decide = event.get_if<event::Decide>();
             splits += decide && decide->which == Case::split ? 1 : 0;
             if (++events == *last) CHECK((decide && splits == 2));
         });
         request.sink = &sink;
-        told_run(request);
+        traced_run(request);
         CHECK(events > *last);
         CHECK_FALSE(events_until("windows > 9", request));
         CHECK(events_until("polygons == 2", request) == 1U);

@@ -95,6 +95,10 @@ class Scene:
         return b"".join(bytes.fromhex((self.background if p is None else self.colors[p])[1:]) for p in shown)
 
 
+def pairs_of(line):
+    return line.get("beside", []) + line.get("behind", [])
+
+
 def is_true(scene, rgb, lines):
     """Whether each statement of a proof is true of a scene and a picture, and the statements suffice. `scene` is a Scene."""
     count = len(scene.polygons)
@@ -114,6 +118,9 @@ def is_true(scene, rgb, lines):
 
         left_out_in = [each for each in left_out_in if contains(each[0])]
         if not left_out_in:
+            return False
+        # In a list of Python's, -1 would be the last.
+        if min([0, *line.get("edge_on", []), *(each for pair in pairs_of(line) for each in pair)]) < 0:
             return False
         left_out = set(left_out_in[-1][1])
         for p in line.get("edge_on", []):
