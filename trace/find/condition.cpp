@@ -133,7 +133,7 @@ private:
         if (found == names.end()) names.push_back(std::move(name));
         std::string variable = names[std::size_t(number)].text();
         if (!names[std::size_t(number)].argument.empty()) {
-            variable = "_" + std::to_string(number);
+            variable = std::string(1, '_') + std::to_string(number);  // GCC 12 warns of "_" +, wrongly
             variable.resize(end - at, '_');
         }
         if (std::find(variables.begin(), variables.end(), variable) == variables.end()) variables.push_back(variable);
