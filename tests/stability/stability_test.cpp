@@ -499,3 +499,23 @@ TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows
     const auto column = std::size_t(failure.shows.column->second - curves->curves[curve].samples.front().x);
     CHECK(drawn(failure.fails.kernel)[curve][column] != drawn(failure.holds.kernel)[curve][column]);
 }
+
+TEST_CASE("A witness meets the condition on its scene: the one of all, if it does, or else another") {
+    const Campaign campaign{"1.0.0", 1, 60, {"neighbours"}, {"float"}, {"zbuffer"}};
+    const auto polygons_of_witness = [&](const Property& where) -> std::optional<std::size_t> {
+        const auto text =
+            witness(campaign, family_of("neighbours"), experiment_of("moved-0"), 0, "zbuffer", "float", where, [] {});
+        if (!text) return std::nullopt;
+        return std::get<AdmittedScene>(*read_failure(*text, "witness.json").scene)->polygons.size();
+    };
+    const auto has = [](std::size_t polygons) {
+        return [polygons](const AdmittedScene& scene) { return scene->polygons.size() == polygons; };
+    };
+    const auto least = polygons_of_witness({});
+    REQUIRE(least);
+    CHECK(polygons_of_witness(has(*least)) == least);
+    CHECK_FALSE(polygons_of_witness(has(1000)));
+    // All scenes of the family have more polygons than the witness, so this one keeps what the condition asks for.
+    const auto of_more = [&](const AdmittedScene& scene) { return scene->polygons.size() > *least; };
+    CHECK(polygons_of_witness(of_more) == *least + 1);
+}

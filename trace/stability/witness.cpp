@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "choice/method.h"
 #include "run/floating_horizon_run.h"
@@ -76,11 +77,15 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
                                    const Property& where, const std::function<void()>& progress) {
     const NamedKernel named = *kernel_named(kernel);
     const auto tried = std::find(method_names.begin(), method_names.end(), method);
-    const auto of_scene = [&](const AdmittedScene& scene) {
+    const auto wrong_in = [&](const AdmittedScene& scene) {
         progress();
-        const auto wrong = wrong_pixel(scene, Method(tried - method_names.begin()), named);
+        return wrong_pixel(scene, Method(tried - method_names.begin()), named);
+    };
+    const auto of_scene = [&](const AdmittedScene& scene) {
+        const auto wrong = wrong_in(scene);
         return wrong && where && !where(scene) ? std::nullopt : wrong;
     };
+    bool is_first = true;
     const auto of_curves = [&](const AdmittedCurves& scene) {
         progress();
         return where ? std::nullopt : wrong_column(scene, named);
@@ -95,10 +100,16 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
                               *of_curves(smallest));
         }
         const AdmittedScene& scene = std::get<std::vector<AdmittedScene>>(scenes).front();
-        if (!of_scene(scene)) continue;
-        const AdmittedScene smallest =
-            shrunk(scene, [&](const AdmittedScene& smaller) { return of_scene(smaller).has_value(); });
-        return failure_of(scene_json(smallest), family, method, kernel, "pixel", *of_scene(smallest));
+        if (!wrong_in(scene)) continue;
+        // Every witness begins as a larger scene. The one that is kept without a condition may meet it once it is small.
+        const bool meets = !where || where(scene);
+        if (!meets && !std::exchange(is_first, false)) continue;
+        const AdmittedScene smallest = shrunk(scene, [&](const AdmittedScene& smaller) {
+            return (meets ? of_scene(smaller) : wrong_in(smaller)).has_value();
+        });
+        if (const auto pixel = of_scene(smallest)) {
+            return failure_of(scene_json(smallest), family, method, kernel, "pixel", *pixel);
+        }
     }
     return std::nullopt;
 }

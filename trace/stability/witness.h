@@ -12,8 +12,8 @@ namespace vidno {
 
 /// Takes the first failing trial, from `first` on, of an experiment that moves coordinates: the method paints a wrong
 /// pixel, or draws a wrong column of a curve. Its scene is shrunk and returned as the text of a file `vidno-failure/1`;
-/// none if there is no such trial. `method` and `kernel` are names in the campaign; `where`, if it is not empty, is a
-/// property that scenes of polygons must have, too, and that curves lack; `progress` is called at each scene that is
+/// none if there is no such trial. `method` and `kernel` are names in the campaign. `where`, if it is not empty, is a
+/// property that the result must have, too; curves lack it. `progress` is called at each scene that is
 /// run.
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
                                    std::uint64_t first, const std::string& method, const std::string& kernel,
