@@ -92,10 +92,10 @@ function trace(name, scene, { method, kernel, edition }, ...more) {
   return readFileSync(file, 'utf8').split('\n').slice(1, -2).map((line) => JSON.parse(line));
 }
 
-/** The sentence of a step, in each language. `vidno say` writes the step before it. */
-function sentences(name, step) {
-  const said = (language) => vidno('say', traceFile(name), '--step', step, '--language', language).replace(/^\d+: /u, '').trimEnd();
-  return { en: said('en'), ru: said('ru') };
+/** The reason of a fault in each language; the sentence of its step has the Russian one. */
+function reasons(name, step, reason) {
+  const sentence = vidno('say', traceFile(name), '--step', step, '--language', 'ru');
+  return { en: reason, ru: sentence.match(/ошибается: ([^.]+)\./u)[1] };
 }
 
 const place = (events, label) => events.findIndex(({ e, at }) => at === label && e !== 'call');
@@ -158,7 +158,7 @@ function seen({ scene, fails, holds, shows }) {
   const holding = trace('holds', holds.scene ? written(holds.scene, 'holds.json') : file, holds);
   if (shows.fault) {
     const step = failing.findIndex(({ e, at }) => e === 'fault' && at === shows.fault) + 1;
-    return step === 0 ? { there: 'endless' } : { step, there: 'fault', value: sentences('fails', step) };
+    return step === 0 ? { there: 'endless' } : { step, there: 'fault', value: reasons('fails', step, failing[step - 1].reason) };
   }
   if (shows.missing) return { step: place(holding, shows.missing) + 1, there: 'missing', value: shows.missing };
   if (shows.present) return { step: place(failing, shows.present) + 1, there: 'present', value: shows.present };

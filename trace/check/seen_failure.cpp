@@ -7,6 +7,7 @@
 #include "check/judged_run.h"
 #include "choice/method.h"
 #include "format/decision_words.h"
+#include "format/fault_reason.h"
 #include "format/paints.h"
 #include "run/floating_horizon_run.h"
 #include "run/run.h"
@@ -200,7 +201,7 @@ SeenFailure seen_fault(const Failure& failure) {
     follow(*failure.scene, failure.fails, [&](std::uint64_t step, const EventView& event) {
         const auto* fault = event.get_if<event::Fault>();
         if (!fault || line_names[std::size_t(fault->at)] != failure.shows.fault) return;
-        found = {step, {fault->reason, fault->reason}, {}};
+        found = {step, {fault->reason, std::string(reason_in(Language::russian, fault->reason))}, {}};
         throw Enough();
     });
     return found;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "choice/language.h"
+#include "format/fault_reason.h"
 #include "grade/scene_truth.h"
 #include "say/words.h"
 #include "vidno/picture.h"
@@ -25,7 +26,7 @@ public:
     }
 
     /// The reason of a fault.
-    std::string reason(std::string_view text) const { return std::string(say::reason_in(language_, text)); }
+    std::string reason(std::string_view text) const { return std::string(reason_in(language_, text)); }
 
     std::string said(std::string_view text) const { return std::string(text); }
     std::string said(const Bilingual& text) const { return std::string(of(text)); }

@@ -1,5 +1,6 @@
 /// The sentences of the events that all algorithms have.
 #include "format/decision_words.h"
+#include "format/fault_reason.h"
 #include "say/tables.h"
 
 namespace vidno::say {
@@ -70,19 +71,6 @@ constexpr Bilingual purpose_of(Procedure procedure) {
     return {};
 }
 
-/// The reasons that a run can give for its fault. A trace has them in English.
-constexpr Bilingual fault_reasons[] = {
-    {"an outline does not close", "контур не замыкается"},
-    {"division by zero", "деление на нуль"},
-    {"more lists than the lines can divide the area into",
-     "списков больше, чем частей, на которые прямые могут разделить область"},
-    {"more scanlines than any area has rows", "строк развёртки больше, чем строк в любой области"},
-    {"more steps than any area has columns", "шагов больше, чем столбцов в любой области"},
-    {"outside the area", "выход за пределы области"},
-    {"the last entry of AEL has no partner", "последняя запись AEL осталась без пары"},
-    {"the list of vertices is read past its end", "чтение за концом списка вершин"},
-};
-
 struct AnswerWords {
     const Words& words;
 
@@ -97,13 +85,6 @@ struct AnswerWords {
 };
 
 }  // namespace
-
-std::string_view reason_in(Language language, std::string_view reason) {
-    for (const auto& known : fault_reasons) {
-        if (known.english == reason) return known.in(language);
-    }
-    return reason;
-}
 
 std::string common_sentence(const event::Call& e, const Words& words) {
     return words.say("{} begins: {}", "Начинается {}: {}", procedure_names[std::size_t(e.of)],

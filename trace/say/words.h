@@ -22,9 +22,6 @@ inline constexpr Plurals vertex_forms{{"vertex", "", "vertices"}, {"вершин
 /// The text with the parts in place of `{}`, in order, and of `{0}`, `{1}` and so on.
 std::string filled(std::string_view text, const std::vector<std::string>& parts);
 
-/// The reason of a fault in the language. Those that another program has written remain as they are.
-std::string_view reason_in(Language language, std::string_view reason);
-
 /// With a capital letter at its start.
 std::string capital(std::string text);
 
