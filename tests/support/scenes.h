@@ -38,7 +38,7 @@ AdmittedScene small_scene();
 /// steps, and tests of long runs by code that other tests run too are skipped.
 #ifdef VIDNO_SANITIZED
 inline constexpr bool sanitized = true;
-inline constexpr int thinning = 16;
+inline constexpr int thinning = 8;
 #else
 inline constexpr bool sanitized = false;
 inline constexpr int thinning = 1;

@@ -270,7 +270,7 @@ std::optional<AdmittedScene> random_body(RandomPolygons& random, const Lattice& 
     return admitted_or_none(std::move(scene));
 }
 
-std::optional<AdmittedScene> changed(Scene scene, RandomPolygons& random, const Lattice& lattice) {
+std::optional<AdmittedScene> changed_scene(Scene scene, RandomPolygons& random, const Lattice& lattice) {
     if (!lattice.is_coarse && random.whole(0, 15) == 0) {
         return admitted_or_none(moved_by_ulps(std::move(scene), random.whole(1, 4), random));
     }

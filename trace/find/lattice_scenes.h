@@ -32,7 +32,7 @@ std::optional<AdmittedScene> lattice_scene(RandomPolygons& random, const Lattice
 std::optional<AdmittedScene> random_body(RandomPolygons& random, const Lattice& lattice);
 
 /// The scene with one change, or a few: of the area, a polygon or a coordinate. None if what was drawn is not admitted.
-std::optional<AdmittedScene> changed(Scene scene, RandomPolygons& random, const Lattice& lattice);
+std::optional<AdmittedScene> changed_scene(Scene scene, RandomPolygons& random, const Lattice& lattice);
 
 /// The scene with the names and colours that its polygons should have.
 AdmittedScene lettered(Scene scene);

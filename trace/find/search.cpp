@@ -34,7 +34,7 @@ public:
                 // The better ones are changed more often.
                 const int last = int(kept_.size()) - 1;
                 const Kept& parent = kept_[std::size_t(std::min(random_.whole(0, last), random_.whole(0, last)))];
-                try_out(changed(parent.scene, random_, lattice()));
+                try_out(changed_scene(parent.scene, random_, lattice()));
             }
         }
         if (!kept_.empty() && kept_.front().distance == 0) report_.found = kept_.front().scene;

@@ -31,7 +31,7 @@ struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
 };
 
 template <Kernel K>
-Picture traced(const RunRequest& request, const K& kernel) {
+Picture traced_regions(const RunRequest& request, const K& kernel) {
     Recording recording{request.detail, *request.sink};
     return weiler_atherton_run(request, kernel, Recorder<K>(recording));
 }
@@ -45,9 +45,9 @@ struct OnRegions<TellingSigns> : OnRegions<NumbersTellingSigns> {
 
 Picture traced_weiler_atherton(const RunRequest& request, const Followers& followers) {
     const KernelKind kind = request.kernel.kind();
-    if (kind == KernelKind::filtered) return traced(request, TellingSigns(followers));
-    if (kind == KernelKind::binary64 && !followers.judge) return traced(request, Double{});
-    return traced(request, RunTimeKernel(request.kernel, followers));
+    if (kind == KernelKind::filtered) return traced_regions(request, TellingSigns(followers));
+    if (kind == KernelKind::binary64 && !followers.judge) return traced_regions(request, Double{});
+    return traced_regions(request, RunTimeKernel(request.kernel, followers));
 }
 
 }  // namespace vidno
