@@ -56,9 +56,9 @@ describe('the C++ of a run', () => {
 
   it('marks, among the lines with a label, the one that records the event', () => {
     expect(marked('PW6', 'compare')).toEqual([
-      'trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);',
+      'run.trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);',
     ]);
-    expect(marked('PW6', 'nearer')).toEqual(['trace.nearer(PW6, polygon, nearer, k);']);
+    expect(marked('PW6', 'nearer')).toEqual(['run.trace.nearer(PW6, polygon, nearer, k);']);
     expect(marked('PW5', 'depth')).toEqual([
       'for (int i = 0; i < 4; ++i) z[i] = run.depth(PW5, polygon, corners[i]);',
     ]);
