@@ -1,5 +1,6 @@
 /// What the program says about itself, for its packages: the manual and the completions, derived from the tables of
 /// options.
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 
@@ -51,11 +52,26 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
 // The manual
 // ------------------------------------------------------------
 
+/// The character of more than one byte that begins here, as roff writes it, such as \[u2713]; passes it.
+std::string roff_character(std::string_view text, std::size_t& at) {
+    constexpr unsigned continued = 0x40, high = 0x80;  // values of the bytes' leading bits
+    const auto byte = [&](std::size_t i) { return unsigned(static_cast<unsigned char>(text[i])); };
+    unsigned bytes = 2;
+    while (bytes < 4 && (byte(at) & (high >> bytes)) != 0) ++bytes;
+    unsigned code = byte(at) & ((high >> bytes) - 1);
+    for (unsigned i = 1; i < bytes && at + 1 < text.size(); ++i)
+        code = code * continued + (byte(++at) & (continued - 1));
+    std::ostringstream name;
+    name << "\\[u" << std::uppercase << std::hex << std::setfill('0') << std::setw(4) << code << ']';
+    return name.str();
+}
+
 /// Text as roff reads it unchanged.
 std::string roff(const std::string& text) {
     std::string escaped;
     bool at_start = true;
-    for (const char c : text) {
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
         if (at_start && (c == '.' || c == '\'')) escaped += "\\&";
         if (c == '\\') {
             escaped += "\\e";
@@ -63,6 +79,8 @@ std::string roff(const std::string& text) {
             escaped += "\\-";
         } else if (c == ',') {
             escaped += ",\\:";  // a long list of words may break here
+        } else if ((static_cast<unsigned char>(c) & 0x80U) != 0) {
+            escaped += roff_character(text, at);
         } else {
             escaped += c;
         }
