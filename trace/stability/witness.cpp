@@ -101,7 +101,7 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
         }
         const AdmittedScene& scene = std::get<std::vector<AdmittedScene>>(scenes).front();
         if (!wrong_in(scene)) continue;
-        // Every witness begins as a larger scene. The one that is kept without a condition may meet it once it is small.
+        // Every witness begins as a larger scene. The one kept without a condition may meet it once it is small.
         const bool meets = !where || where(scene);
         if (!meets && !std::exchange(is_first, false)) continue;
         const AdmittedScene smallest = shrunk(scene, [&](const AdmittedScene& smaller) {
