@@ -143,7 +143,7 @@ TEST_CASE("a search finds the same small scene again") {
     CHECK(search({condition, Method::warnock}).found == found);
 }
 
-TEST_CASE("a search in vain says what was never met") {
+TEST_CASE("a search that finds nothing says which parts were never met") {
     const Condition condition("W5 > 0 && polygons == 1 && splits > 0 && windows < 0");
     SearchRequest request{condition, Method::warnock};
     request.seconds = 0.5;

@@ -44,7 +44,7 @@ public:
           unit_(std::ldexp(1.0, -random.whole(0, of.places))),
           depth_unit_(std::ldexp(1.0, -random.whole(0, of.depth_places))) {}
 
-    /// Half of them in the area.
+    /// Half of the numbers lie in the area.
     double coordinate(int side) {
         if (greatest_ > 0) return random_.whole(-greatest_, greatest_) * unit_;
         const int steps = int(1 / unit_);
@@ -70,7 +70,7 @@ Corners parallelogram(const glm::dvec3& corner, const glm::dvec3& along, const g
     return {corner, corner + along, corner + along + other, corner + other};
 }
 
-/// A polygon for a scene that has these already.
+/// A polygon to add to the scene.
 Corners drawn_shape(RandomPolygons& random, LatticeNumbers& draw, const Scene& scene) {
     const Area& area = scene.area;
     const int kind = random.whole(0, scene.polygons.empty() ? 5 : 8);
@@ -202,7 +202,7 @@ private:
         ScenePolygon& one = one_polygon();
         std::swap(one, one_polygon());
     }
-    /// Another depth for a polygon, or for one vertex that of another.
+    /// Gives a polygon another depth, or a vertex the depth of another one.
     void raise() {
         if (random_.whole(0, 1) == 0) {
             glm::dvec3& vertex = one_vertex();

@@ -116,6 +116,10 @@ const SceneGrade* ProgramGrade::first_wrong() const {
     return found == scenes.end() ? nullptr : &*found;
 }
 
+std::string in_words(const ReportedFault& fault, const Words& say) {
+    return say({"step {}, {}: {}", "шаг {}, {}: {}"}, fault.step, fault.at, say.reason(fault.reason));
+}
+
 std::vector<ReportedFault> ProgramGrade::faults() const {
     std::vector<ReportedFault> faults;
     for (const SceneGrade& each : scenes) {

@@ -29,6 +29,9 @@ struct ReportedFault {
     std::size_t more;  // faults of the run after it
 };
 
+/// "step 12, L6: outside the area".
+std::string in_words(const ReportedFault& fault, const Words& say);
+
 struct ProgramGrade {
     std::vector<SceneGrade> scenes;
     std::size_t given = 0;  // the number of scenes that it was to draw

@@ -76,8 +76,7 @@ std::string differences_of(const ProgramGrade& grade, const Words& say) {
 std::string faults_in_words(const ProgramGrade& grade, const Words& say) {
     std::string text;
     for (const ReportedFault& fault : grade.faults()) {
-        text += "  " + quoted(fault.scene, say) + ": " +
-                say({"step {}, {}: {}", "шаг {}, {}: {}"}, fault.step, fault.at, say.reason(fault.reason));
+        text += "  " + quoted(fault.scene, say) + ": " + in_words(fault, say);
         if (fault.more > 0) text += say({" (and {} more)", " (и ещё {})"}, fault.more);
         text += "\n";
     }

@@ -42,8 +42,7 @@ std::string text_of(const Json& json, int indent = -1) {
 std::string in_words(const std::vector<ReportedFault>& faults, const Words& say) {
     std::string text;
     for (const ReportedFault& fault : faults) {
-        text += (text.empty() ? "" : "; ") + fault.scene + (fault.scene.empty() ? "" : ", ") +
-                say({"step {}, {}: {}", "шаг {}, {}: {}"}, fault.step, fault.at, say.reason(fault.reason));
+        text += (text.empty() ? "" : "; ") + fault.scene + (fault.scene.empty() ? "" : ", ") + in_words(fault, say);
     }
     return text;
 }
