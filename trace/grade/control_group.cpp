@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -70,12 +71,18 @@ bool write_limit(const Path& file, std::uint64_t limit) {
     return to.number() >= 0 && write(to.number(), text.data(), text.size()) == ssize_t(text.size());
 }
 
-/// A user who may make a group may not always move processes there.
-bool can_join(const Descriptor& members) {
-    const pid_t child = fork();
-    if (child == 0) _exit(write(members.number(), "0", 1) == 1 ? 0 : 1);
-    int status = -1;
-    return child > 0 && waitpid(child, &status, 0) == child && status == 0;
+/// A user who may make a group below `parent` may not always move processes there. A process is started to try it once;
+/// keepers inherit what their grader found.
+bool can_join(const std::string& parent, const Descriptor& members) {
+    static std::map<std::string, bool> known;
+    const auto [entry, is_new] = known.try_emplace(parent, false);
+    if (is_new) {
+        const pid_t child = fork();
+        if (child == 0) _exit(write(members.number(), "0", 1) == 1 ? 0 : 1);
+        int status = -1;
+        entry->second = child > 0 && waitpid(child, &status, 0) == child && status == 0;
+    }
+    return entry->second;
 }
 
 }  // namespace
@@ -97,7 +104,7 @@ bool ControlGroup::add_part(const std::string& parent, std::uint64_t memory, int
                                                    write_limit(folder + "/memory.limit_in_bytes", memory));
     const bool limits_processes = !limits_processes_ && write_limit(folder + "/pids.max", std::uint64_t(processes));
     Descriptor members(open((folder + "/cgroup.procs").c_str(), O_WRONLY | O_CLOEXEC));
-    if (!(limits_memory || limits_processes) || !can_join(members)) {
+    if (!(limits_memory || limits_processes) || !can_join(parent, members)) {
         rmdir(folder.c_str());
         return false;
     }
