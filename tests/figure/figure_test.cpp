@@ -27,7 +27,7 @@ namespace vidno::figures {
 namespace {
 
 TraceHeader header_of(AdmittedScene scene, Method method = Method::warnock, Detail detail = Detail::signs) {
-    return {method, Edition::corrected, "double", detail, std::move(scene)};
+    return {method, Edition::corrected, "exact", detail, std::move(scene)};
 }
 
 AdmittedScene near_before_far() {

@@ -22,7 +22,7 @@ const Window whole{0, 0, 16, 16};
 TraceHeader header_of(Method method, Detail detail = Detail::signs) {
     const AdmittedScene scene =
         test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build();
-    return {method, Edition::corrected, "double", detail, scene};
+    return {method, Edition::corrected, "exact", detail, scene};
 }
 
 State after(const TraceHeader& header, const std::vector<Event>& events) {
@@ -33,7 +33,7 @@ State after(const TraceHeader& header, const std::vector<Event>& events) {
 
 /// What is said of an event, in English and in Russian.
 Both said(const EventView& event, const State& state) {
-    return {sentence(event, state, Language::english), sentence(event, state, Language::russian)};
+    return {sentence(event, state, Language::english).whole(), sentence(event, state, Language::russian).whole()};
 }
 
 const std::vector<AplEntry> only_a{{{0}, false}};
@@ -86,7 +86,7 @@ TEST_CASE("a colour is that of the polygon that the trace tells, not of another 
                                     .polygon("B", shared, test::near_square)
                                     .polygon("C", test::white, test::near_square)
                                     .build();
-    TraceHeader header{Method::warnock, Edition::corrected, "double", Detail::signs, twins};
+    TraceHeader header{Method::warnock, Edition::corrected, "exact", Detail::signs, twins};
     const auto after_event = [&](std::optional<Event> event) {
         auto events = in_window();
         if (event) events.push_back(*event);
@@ -165,7 +165,7 @@ TEST_CASE("every reason for a fault that the procedures give is said in Russian"
     const TraceHeader header = header_of(Method::zbuffer);
     const State state(header);
     const auto in_russian = [&](const std::string& reason) {
-        return sentence(event::Fault{Line::Z15, reason, {}, {}}, state, Language::russian);
+        return sentence(event::Fault{Line::Z15, reason, {}, {}}, state, Language::russian).whole();
     };
     CHECK_MESSAGE(in_russian("out of memory").find("out of memory") != std::string::npos,
                   "the reason of another program stays as it is");

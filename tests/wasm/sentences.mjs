@@ -29,7 +29,7 @@ for (const file of files) {
   for (const [place, language] of languages.entries()) {
     const shown = Array.from({ length }, (_, i) => {
       wasm.trace_sentence(trace, i + 1, place);
-      return `${i + 1}: ${made()}`;
+      return `${i + 1}: ${made().replace('\n', ' ')}`;  // what is so instead has a line of its own
     });
     deepStrictEqual(shown, said(file, language), `${file} in ${language}`);
     sentences += length;

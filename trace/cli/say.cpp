@@ -52,7 +52,7 @@ int say_steps(const SayOptions& options, auto& reader) {
         progress.show(state.step());
         if (state.step() < first) return;
         progress.clear();
-        std::cout << state.step() << ": " << say::sentence(event, state, language) << '\n';
+        std::cout << state.step() << ": " << say::sentence(event, state, language).whole() << '\n';
     };
     while (state.step() != last && take_next(reader, take)) {
     }
@@ -67,28 +67,36 @@ Area area_of(const State& state) { return state.header().scene.area; }
 Area area_of(const FloatingHorizonState& state) { return state.header().scene.curves->area; }
 
 /// Why the pixel has the colour that the event paints. A column of a run of curves has none.
-std::string why(const EventView& event, const State& after, Language language) {
-    return say::why(event, after, language);
+std::string why(const EventView& event, const State& after, Pixel pixel, const say::GoesWrong& goes_wrong,
+                Language language) {
+    return say::why(event, after, pixel, goes_wrong.step(after), language).whole();
 }
-std::string why(const EventView&, const FloatingHorizonState&, Language) { return {}; }
+std::string why(const EventView&, const FloatingHorizonState&, Pixel, const say::GoesWrong&, Language) { return {}; }
 
 /// The steps that concern a pixel, each with what it means for it, and why it has its colour.
 int say_history(const SayOptions& options, auto& reader) {
     constexpr std::array<std::string_view, say::outcome_names.size()> signs{"✓", "✗", "■", "!", "·"};
     const auto language = Language(place_in(language_codes, options.language));
     auto state = state_of(reader);
-    say::PixelWatch watch(pixel_in(*options.pixel, area_of(state)), reader.header());
+    const Pixel pixel = pixel_in(*options.pixel, area_of(state));
+    say::PixelWatch watch(pixel, reader.header());
     std::string reason;
+    say::GoesWrong goes_wrong(pixel, reader.header());
     Progress progress("steps");
     const auto take = [&](const EventView& event) {
         state.apply(event);
         progress.show(state.step());
+        goes_wrong.see(event, state);
         const auto outcome = watch.see(event, state.step());
         if (!outcome) return;
         progress.clear();
-        std::cout << state.step() << ": " << signs[std::size_t(*outcome)] << ' '
-                  << say::sentence_for_pixel(event, *outcome, state, language) << '\n';
-        if (*outcome == say::Outcome::paint) reason = why(event, state, language);
+        const say::Statement said = say::sentence_for_pixel(event, *outcome, state, language);
+        std::cout << state.step() << ": " << signs[std::size_t(*outcome)] << ' ' << said.whole() << '\n';
+        if (*outcome == say::Outcome::paint) {
+            reason = why(event, state, pixel, goes_wrong, language);
+        } else {
+            goes_wrong.hear(state.step(), said);
+        }
     };
     while (take_next(reader, take)) {
     }

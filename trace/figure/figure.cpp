@@ -28,7 +28,7 @@ std::size_t columns_for(const Options& options) {
 
 std::string said_of(const auto& moment, Language language) {
     if (!moment.event()) return std::string(words_of(language).start);
-    return say::sentence(*moment.event(), moment.state(), language);
+    return say::sentence(*moment.event(), moment.state(), language).whole();
 }
 
 void append(auto& parts, Drawing drawing) {

@@ -3,8 +3,10 @@
 #include <array>
 #include <charconv>
 #include <type_traits>
+#include <utility>
 
 #include "format/paints.h"
+#include "say/scene_facts.h"
 #include "say/sentence.h"
 #include "say/warnock_words.h"
 
@@ -342,21 +344,23 @@ Heading PixelWatch::heading(const EventView& event) const {
     return list ? Heading(list->pieces[0]->polygon) : Heading();
 }
 
-std::string sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language) {
+Statement sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language) {
     const PolygonWords words(after, language);
     const auto* draw = event.get_if<event::Draw>();
     if (draw && outcome == Outcome::fail) {
-        return words.say("{} does not cover the centre of this pixel, which stays as it is.",
-                         "{} не покрывает центра этого пикселя: пиксель остаётся прежним.", draw->polygon);
+        return stated(words.say("{} does not cover the centre of this pixel, which stays as it is.",
+                                "{} не покрывает центра этого пикселя: пиксель остаётся прежним.", draw->polygon),
+                      exactly(event, words), words);
     }
     const auto polygon = after.z_buffer().polygon();
     if (event.get_if<event::Span>() && outcome == Outcome::fail && polygon) {
-        return words.say("On this row {} leaves the pixel as it is.", "В этой строке {} не меняет пикселя.", *polygon);
+        return {words.say("On this row {} leaves the pixel as it is.", "В этой строке {} не меняет пикселя.", *polygon),
+                {}};
     }
     return sentence(event, after, language);
 }
 
-std::string sentence_for_pixel(const EventView& event, Outcome, const FloatingHorizonState& after, Language language) {
+Statement sentence_for_pixel(const EventView& event, Outcome, const FloatingHorizonState& after, Language language) {
     return sentence(event, after, language);
 }
 
@@ -443,18 +447,61 @@ std::string step_in(const Words& words, std::uint64_t step) {
 
 }  // namespace
 
-std::string why(const EventView& event, const State& after, Language language, bool is_later) {
+GoesWrong::GoesWrong(Pixel pixel, const TraceHeader& header) {
+    if (!can_be_wrong(header)) return;
+    const auto shown = SceneFacts(header.scene).shown(pixel.x, pixel.y);
+    if (shown) owner_ = shown->polygon;
+}
+
+bool GoesWrong::needs(const EventView& event) const {
+    const auto* discard = event.get_if<event::Discard>();
+    return discard && owner_ == discard->polygon.index;
+}
+
+void GoesWrong::see(const EventView& event, const State& after) {
+    const auto& window = after.warnock().current();
+    if (window && needs(event)) left_list_[window->list] = after.step();
+}
+
+void GoesWrong::hear(std::uint64_t step, const Statement& said) {
+    if (said.exactly.empty()) {
+        is_wrong_ = false;
+    } else if (!std::exchange(is_wrong_, true)) {
+        wrong_since_ = step;
+    }
+}
+
+std::optional<std::uint64_t> GoesWrong::step(const State& after) const {
+    const auto& window = after.warnock().current();
+    const auto left = window ? left_list_.find(window->list) : left_list_.end();
+    return left == left_list_.end() ? wrong_since_ : std::optional(left->second);
+}
+
+Statement why(const EventView& event, const State& after, Pixel pixel, std::optional<std::uint64_t> wrong_at,
+              Language language, bool is_later) {
     const WarnockWords words{PolygonWords(after, language)};
     const auto [reason, is_background] = event.visit(ReasonOf{after, words});
+    std::string so = exactly_at(pixel.x, pixel.y, words);
+    if (!so.empty()) {
+        so += wrong_at ? words.say(" The run goes wrong at step {}.", " Прогон ошибается на шаге {}.",
+                                   step_in(words, *wrong_at))
+                       : words.say(" The steps of this trace do not tell where the run goes wrong.",
+                                   " По шагам этой трассы не видно, где прогон ошибается.");
+    } else {
+        so = exactly(event, words);
+    }
+    const auto [computed, exact] = stated(reason, so, words);
     const std::string step = step_in(words, after.step());
     if (is_background) {
-        return is_later ? words.say("Why it becomes background at step {}: {}", "Почему на шаге {} здесь будет фон: {}",
-                                    step, reason)
-                        : words.say("Why it is background: {}", "Почему здесь фон: {}", reason);
+        return {is_later ? words.say("Why it becomes background at step {}: {}",
+                                     "Почему на шаге {} здесь будет фон: {}", step, computed)
+                         : words.say("Why it is background: {}", "Почему здесь фон: {}", computed),
+                exact};
     }
-    return is_later ? words.say("Why it gets this colour at step {}: {}", "Почему на шаге {} он получит этот цвет: {}",
-                                step, reason)
-                    : words.say("Why it has this colour: {}", "Почему у него такой цвет: {}", reason);
+    return {is_later ? words.say("Why it gets this colour at step {}: {}", "Почему на шаге {} он получит этот цвет: {}",
+                                 step, computed)
+                     : words.say("Why it has this colour: {}", "Почему у него такой цвет: {}", computed),
+            exact};
 }
 
 }  // namespace vidno::say

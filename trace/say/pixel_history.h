@@ -2,6 +2,7 @@
 /// curves, that of a column.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "choice/language.h"
 #include "replay/floating_horizon_state.h"
 #include "replay/state.h"
+#include "say/exactly.h"
 #include "vidno/kernel.h"
 
 namespace vidno::say {
@@ -61,11 +63,37 @@ private:
 };
 
 /// The sentence of a step in the history: its own, or, for a polygon that missed the pixel, only that.
-std::string sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language);
-std::string sentence_for_pixel(const EventView& event, Outcome outcome, const FloatingHorizonState& after,
-                               Language language);
+Statement sentence_for_pixel(const EventView& event, Outcome outcome, const State& after, Language language);
+Statement sentence_for_pixel(const EventView& event, Outcome outcome, const FloatingHorizonState& after,
+                             Language language);
 
-/// Why the step that painted the pixel last gave it its colour. `is_later`: it will have it only then.
-std::string why(const EventView& event, const State& after, Language language, bool is_later = false);
+/// Finds where a run goes wrong about a pixel.
+class GoesWrong {
+public:
+    GoesWrong(Pixel pixel, const TraceHeader& header);
+    GoesWrong(Pixel, const FloatingHorizonHeader&) {}
+
+    /// Whether it must see the event.
+    bool needs(const EventView& event) const;
+    void see(const EventView& event, const State& after);
+    void see(const EventView&, const FloatingHorizonState&) {}
+    /// The next step of the pixel's history, and what it says.
+    void hear(std::uint64_t step, const Statement& said);
+
+    /// The step at which the polygon that should show left the current list; otherwise the step since which the history
+    /// is wrong, if it is.
+    std::optional<std::uint64_t> step(const State& after) const;
+
+private:
+    std::optional<int> owner_{};                  // the polygon that should show
+    std::map<int, std::uint64_t> left_list_{};    // when it left each list
+    std::optional<std::uint64_t> wrong_since_{};  // without a right step in between
+    bool is_wrong_ = false;
+};
+
+/// Why the step that painted the pixel last gave it its colour; and what should show there instead. `wrong_at`: where
+/// the run goes wrong about it, if that is known. `is_later`: it will have the colour only then.
+Statement why(const EventView& event, const State& after, Pixel pixel, std::optional<std::uint64_t> wrong_at,
+              Language language, bool is_later = false);
 
 }  // namespace vidno::say

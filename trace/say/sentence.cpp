@@ -26,12 +26,14 @@ std::string of_algorithm(const EventView& event, const PolygonWords& words) {
 
 }  // namespace
 
-std::string sentence(const EventView& event, const State& after, Language language) {
-    return without_doubled_signs(of_algorithm(event, PolygonWords(after, language)));
+Statement sentence(const EventView& event, const State& after, Language language) {
+    const PolygonWords words(after, language);
+    return stated(without_doubled_signs(of_algorithm(event, words)), without_doubled_signs(exactly(event, words)),
+                  words);
 }
 
-std::string sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
-    return without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language)));
+Statement sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
+    return {without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language))), {}};
 }
 
 }  // namespace vidno::say

@@ -1,16 +1,15 @@
 /// The sentence of a step: what happens in it, in a language. Figures, the page and the command line take it from here.
 #pragma once
 
-#include <string>
-
 #include "choice/language.h"
 #include "replay/floating_horizon_state.h"
 #include "replay/state.h"
+#include "say/exactly.h"
 
 namespace vidno::say {
 
 /// The sentence of an event, after which the run has this state.
-std::string sentence(const EventView& event, const State& after, Language language);
-std::string sentence(const EventView& event, const FloatingHorizonState& after, Language language);
+Statement sentence(const EventView& event, const State& after, Language language);
+Statement sentence(const EventView& event, const FloatingHorizonState& after, Language language);
 
 }  // namespace vidno::say

@@ -17,7 +17,8 @@
 ///     trace_line(t, step)    makes the text of a step's event as it was read
 ///     trace_sentence(t, step, language)
 ///                            makes the sentence that says what a step does, in the language with this place in the
-///                            table of languages
+///                            table of languages; where what it states is not so, what is so follows on a second line,
+///                            as after the other sentences
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last
 ///                            (values.h)
 ///
@@ -86,9 +87,38 @@ bool read_on(int number, void (*read)(Replay&, std::string& request)) {
 /// A pixel that is followed through a trace.
 struct Followed {
     int trace;
+    Pixel pixel;
     say::PixelWatch watch;
-    std::uint64_t seen = 0;  // the last step that was read
+    std::uint64_t seen = 0;                                       // the last step that was read
+    std::vector<std::pair<std::uint64_t, say::Outcome>> steps{};  // that concern the pixel
 };
+
+void append_statement(Text& out, const say::Statement& said) {
+    out += said.text;
+    if (said.exactly.empty()) return;
+    out += '\n';
+    out += said.exactly;
+}
+
+/// Where the run goes wrong about the pixel before a step of its history.
+std::optional<std::uint64_t> goes_wrong_before(const Followed& history, std::uint64_t step) {
+    Replay& of = replay(history.trace);
+    const auto& header = std::get<TraceHeader>(of.header());
+    if (!say::can_be_wrong(header)) return std::nullopt;
+    say::GoesWrong goes_wrong(history.pixel, header);
+    for (std::uint64_t each = 1; each < step; ++each) {
+        if (of.names()[each - 1] != event_place<event::Discard> || !goes_wrong.needs(of.event(each))) continue;
+        const auto [event, after] = of.look_at(each);
+        goes_wrong.see(event, std::get<State>(after));
+    }
+    for (const auto& [each, outcome] : history.steps) {
+        if (each >= step) break;
+        if (outcome == say::Outcome::paint) continue;
+        const auto [event, after] = of.look_at(each);
+        goes_wrong.hear(each, say::sentence_for_pixel(event, outcome, std::get<State>(after), Language::english));
+    }
+    return goes_wrong.step(std::get<State>(of.look_at(step).after));
+}
 
 std::map<int, Followed>& histories() {
     static std::map<int, Followed> all;
@@ -126,6 +156,7 @@ void read_step(Followed& history, Text& out, bool& is_first) {
     const EventView event = of.event(step);
     const auto outcome = history.watch.see(event, step);
     if (!outcome) return;
+    history.steps.emplace_back(step, *outcome);
     out += is_first ? "" : ",";
     is_first = false;
     out += std::string_view(R"({"step":)");
@@ -224,7 +255,9 @@ extern "C" {
     vidno::attempt([&](vidno::Exchange& page) {
         const auto seen = vidno::replay(trace).look_at(step);
         std::visit(
-            [&](const auto& after) { page.made += vidno::say::sentence(seen.event, after, vidno::Language(language)); },
+            [&](const auto& after) {
+                vidno::append_statement(page.made, vidno::say::sentence(seen.event, after, vidno::Language(language)));
+            },
             seen.after);
     });
 }
@@ -232,7 +265,7 @@ extern "C" {
 [[clang::export_name("history_open")]] int vidno_history_open(int trace, int x, int y) {
     static int last = 0;
     const auto& header = vidno::replay(trace).header();
-    vidno::histories().emplace(++last, vidno::Followed{trace, vidno::watch_of(header, {x, y})});
+    vidno::histories().emplace(++last, vidno::Followed{trace, {x, y}, vidno::watch_of(header, {x, y})});
     return last;
 }
 
@@ -254,8 +287,9 @@ extern "C" {
         const auto seen = vidno::replay(vidno::histories().at(history).trace).look_at(step);
         std::visit(
             [&](const auto& after) {
-                page.made += vidno::say::sentence_for_pixel(seen.event, vidno::say::Outcome(outcome), after,
-                                                            vidno::Language(language));
+                vidno::append_statement(page.made,
+                                        vidno::say::sentence_for_pixel(seen.event, vidno::say::Outcome(outcome), after,
+                                                                       vidno::Language(language)));
             },
             seen.after);
     });
@@ -264,9 +298,13 @@ extern "C" {
 [[clang::export_name("history_why")]] void vidno_history_why(int history, std::size_t step, bool is_later,
                                                              int language) {
     vidno::attempt([&](vidno::Exchange& page) {
-        const auto [event, after] = vidno::replay(vidno::histories().at(history).trace).look_at(step);
-        const auto* state = std::get_if<vidno::State>(&after);
-        if (state != nullptr) page.made += vidno::say::why(event, *state, vidno::Language(language), is_later);
+        const vidno::Followed& followed = vidno::histories().at(history);
+        vidno::Replay& replay = vidno::replay(followed.trace);
+        if (!std::holds_alternative<vidno::TraceHeader>(replay.header())) return;
+        const auto wrong_at = vidno::goes_wrong_before(followed, step);
+        const auto [event, after] = replay.look_at(step);
+        vidno::append_statement(page.made, vidno::say::why(event, std::get<vidno::State>(after), followed.pixel,
+                                                           wrong_at, vidno::Language(language), is_later));
     });
 }
 

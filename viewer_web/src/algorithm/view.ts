@@ -31,6 +31,7 @@ export interface View {
   readonly rival?: readonly Line[];
   readonly language: Language;
   readonly texts: PageTexts;
+  /** As the library makes it: what is so instead of what the run computed stands on a second line. */
   readonly sentence: string;
   /** The pixel whose history is shown; for curves, its column. */
   readonly pixel: Pixel | null;

@@ -2,6 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
+import { statement } from '../elements/statement.js';
 import { texts } from '../i18n/index.js';
 import type { Editing } from '../editor/editor.js';
 import type { Exact, Layer } from '../picture/layers.js';
@@ -191,7 +192,7 @@ export class ComparedRunElement extends LitElement {
         <vidno-listing .trace=${trace} .view=${view} ?breakable=${this.breakable}></vidno-listing>
       </section>
       <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
-        <span class="at">${event?.at ?? '·'}</span><span>${view.sentence}</span>
+        <span class="at">${event?.at ?? '·'}</span><span>${statement(view.sentence)}</span>
       </p>
     `;
   }

@@ -9,6 +9,7 @@ import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { liveKey } from '../base/key-map.js';
 import { polygonName, swatch } from '../elements/parts.js';
+import { statement } from '../elements/statement.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
@@ -148,7 +149,7 @@ export class HistoryElement extends LitElement {
       >
         <span class="sign" aria-hidden="true" title=${said}>${this.sign(entry)}</span>
         <span class="said"
-          >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${history.sentence(entry, view.language)}</span
+          >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${statement(history.sentence(entry, view.language))}</span
         >
         <span class="step number">${step}</span>
       </button>
@@ -157,7 +158,9 @@ export class HistoryElement extends LitElement {
   }
 
   private why(entry: Entry, history: History): TemplateResult {
-    return html`<p class="why">${history.why(entry, this.view.language, this.view.step)}</p>`;
+    return html`<p class="why">
+      ${statement(history.why(entry, this.view.language, this.view.step))}
+    </p>`;
   }
 
   private sign({ outcome, event, under }: Entry): unknown {

@@ -124,6 +124,9 @@ export const historyStyle = css`
   .now .said {
     color: inherit;
   }
+  .exactly {
+    color: var(--bad);
+  }
   .why {
     margin: 0.1rem 0.75rem 0.5rem;
     padding: 0.45rem 0.6rem;

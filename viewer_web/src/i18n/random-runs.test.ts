@@ -11,6 +11,7 @@ import { warnockFacts } from '../testing/facts/warnock.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';
 import type { RandomRun } from '../testing/random-runs.js';
+import { computedIn } from '../testing/saying.js';
 import { traceOf } from '../testing/traces.js';
 import type { Event, EventName } from '../trace/events.js';
 
@@ -41,7 +42,7 @@ async function faultsOf(made: string, run: RandomRun): Promise<readonly string[]
     met.add(event.e);
     return languages.flatMap((language) => {
       const said = trace.timeline.sentence(i + 1, language);
-      const fault = faultOf(said, fact, ids, language);
+      const fault = faultOf(computedIn(said), fact, ids, language);
       return fault === null ? [] : [`${line} “${said}” ${fault}`];
     });
   });

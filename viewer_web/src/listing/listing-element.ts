@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import { isCorrected } from '../elements/statement.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Trace } from '../replay/trace.js';
@@ -139,6 +140,10 @@ const listingStyle = css`
   .now {
     background: var(--now);
     box-shadow: inset 3px 0 var(--now-edge);
+  }
+  .now.wrong {
+    background: var(--bad-wash);
+    box-shadow: inset 3px 0 var(--bad);
   }
   .now :is(.at, var) {
     color: inherit;
@@ -338,13 +343,18 @@ export class ListingElement extends LitElement {
     return this.view.event?.e === 'call' && top?.of === name;
   }
 
+  /** The current line is marked where it computes what is not so. */
+  private get nowClass(): string {
+    return isCorrected(this.view.sentence) ? 'now wrong' : 'now';
+  }
+
   /** The template of a procedure, cached because most steps change few procedures. */
   private procedure(listing: Listing): unknown {
     const { name, title, takes, lines } = listing;
     const isEntered = this.isEntered(name);
     const told = lines.map(({ at }) => {
       const { now, caller } = this.kindOf(at);
-      return `${now} ${caller} ${this.values.get(at) ?? ''}`;
+      return `${now ? this.nowClass : ''} ${caller} ${this.values.get(at) ?? ''}`;
     });
     return guard(
       [listing, isEntered, ...told],
@@ -362,7 +372,10 @@ export class ListingElement extends LitElement {
   private line({ at, indent, text, defects, speaks }: Line): TemplateResult {
     const { now, caller } = this.kindOf(at);
     return html`
-      <li class=${caller ? 'caller' : now ? 'now' : ''} aria-current=${now ? 'step' : nothing}>
+      <li
+        class=${caller ? 'caller' : now ? this.nowClass : ''}
+        aria-current=${now ? 'step' : nothing}
+      >
         <span class="at">${at}${this.mark(at)}</span>
         <code .style=${`--indent: ${indent}`}>${text}${speaks ? this.said(at) : nothing}</code>
         ${defects.map((id) => this.defect(id))}

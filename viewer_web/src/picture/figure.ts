@@ -1,5 +1,6 @@
 import type { View } from '../algorithm/view.js';
 import { element, escaped } from '../base/markup.js';
+import { inOneLine } from '../elements/statement.js';
 import { nameIn } from '../language/scene-name.js';
 import { sceneDrawing, stepDrawing } from './drawing.js';
 import { Frame } from './frame.js';
@@ -85,7 +86,7 @@ export function figureDocument(view: View, frame: Frame, drawing: string, names 
   ];
   const content = [
     element('title', [], escaped(title.filter(Boolean).join(' · '))),
-    element('desc', [], escaped(view.sentence)),
+    element('desc', [], escaped(inOneLine(view.sentence))),
     element('rect', Object.entries({ width, height, fill: '#ffffff' })),
     element('g', [['transform', place]], `\n${drawing}`),
     names,

@@ -17,6 +17,7 @@ import { findingMarks } from '../exactness/finding-marks.js';
 import { marginMarks } from '../exactness/margin.js';
 import type { Margin } from '../exactness/margin.js';
 import type { Actions } from '../elements/keyboard.js';
+import { statement } from '../elements/statement.js';
 import { withTerms } from '../elements/term.js';
 import {
   base,
@@ -280,6 +281,9 @@ const playerStyle = css`
   .verdict {
     font-weight: 600;
   }
+  .exactly {
+    color: var(--bad);
+  }
   /* The workbench has three columns where there is room. */
   @container (min-width: 1120px) {
     :host([layout='workbench']:not([beside])) .stage {
@@ -310,7 +314,7 @@ const playerStyle = css`
   }
   /* The last sentence has room for the verdict, too, since nothing may move from step to step. */
   @container (max-width: 930px) {
-    .sentence:has(.verdict) {
+    .sentence:has(.verdict, .exactly) {
       font-size: 0.8125rem;
       line-height: 1.15;
     }
@@ -396,7 +400,7 @@ const playerStyle = css`
       line-height: 1.2;
       gap: 0.5rem;
     }
-    .sentence:has(.verdict) {
+    .sentence:has(.verdict, .exactly) {
       font-size: 0.75rem;
       line-height: 1.15;
     }
@@ -705,7 +709,10 @@ export class PlayerElement extends StageElement {
               aria-atomic="true"
             >
               <span class="at">${view.event?.at ?? '·'}</span
-              ><span>${withTerms(view.sentence, termsIn(view))} ${this.verdict(trace, view)}</span>
+              ><span
+                >${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}
+                ${this.verdict(trace, view)}</span
+              >
             </p>
             ${this.presenter.corner(view)}
           </div>

@@ -1,3 +1,4 @@
+import { inOneLine } from '../elements/statement.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { withoutDoubledSigns } from '../language/words.js';
@@ -135,7 +136,7 @@ export function reasonsOf(
   { because }: Question,
   language: Language,
 ): readonly Reason[] {
-  return because.map((step) => ({ step, said: timeline.sentence(step, language) }));
+  return because.map((step) => ({ step, said: inOneLine(timeline.sentence(step, language)) }));
 }
 
 /** The step that decides the first wrong entry of an answer to a part. */

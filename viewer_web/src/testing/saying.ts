@@ -9,3 +9,7 @@ export function saying(header: object, ...events: readonly Event[]): readonly st
   if (shortened !== null) throw new Error(`the events are no run: ${JSON.stringify(shortened)}`);
   return languages.map((language) => timeline.sentence(events.length, language));
 }
+
+/** What the run computed, without the mark that something else is so. */
+export const computedIn = (said: string): string =>
+  said.includes('\n') ? said.replace(/\n.*$/su, '').replace(/(?:Computed|Вычислено): /u, '') : said;

@@ -1,0 +1,248 @@
+#include "say/scene_facts.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "scene/rational_polygon.h"
+
+namespace vidno {
+
+namespace {
+
+using PointInPlane = Point<Rational>;
+
+Rational from_fraction(const std::string& text) {
+    using Fractions = CGAL::Fraction_traits<Rational>;
+    const auto slash = text.find('/');
+    const Fractions::Numerator_type p(text.substr(0, slash));
+    const Fractions::Denominator_type q(slash == text.npos ? "1" : text.substr(slash + 1));
+    return Fractions::Compose()(p, q);
+}
+
+std::optional<Rational> in_rationals(const Value& value) {
+    if (!value.fraction) return std::isfinite(value.number) ? std::optional<Rational>(value.number) : std::nullopt;
+    const std::string& text = *value.fraction;
+    const bool is_fraction = text.find_first_not_of("-0123456789/") == text.npos && !text.ends_with("/0");
+    return is_fraction ? std::optional(from_fraction(text)) : std::nullopt;
+}
+
+std::optional<PointInPlane> in_rationals(const ValuePoint& point) {
+    const auto x = in_rationals(point.x), y = in_rationals(point.y);
+    return x && y ? std::optional(PointInPlane{*x, *y}) : std::nullopt;
+}
+
+Value as_value(const Rational& number) { return Value(Exact::fraction(number)); }
+
+std::array<PointInPlane, 4> corners_of(const Window& window) {
+    return {PointInPlane{window.x, window.y}, PointInPlane{window.x, window.bottom()},
+            PointInPlane{window.right(), window.y}, PointInPlane{window.right(), window.bottom()}};
+}
+/// The centres of the pixels at the corners.
+std::array<PointInPlane, 4> corners_of(const PixelRectangle& pixels) {
+    return corners_of(Window{pixels.x + .5, pixels.y + .5, pixels.width - 1., pixels.height - 1.});
+}
+
+/// Whether the polygon hides the other at a point that both hold; `comes_first`: so it does in the scene.
+bool hides(const RationalPolygon& polygon, const RationalPolygon& other, bool comes_first, const PointInPlane& at) {
+    const Rational own = polygon.depth(at), others = other.depth(at);
+    return own > others || (own == others && comes_first);
+}
+
+/// A polygon that may show in a rectangle of pixels, and whether it holds all of their centres.
+struct Candidate {
+    int place;
+    const RationalPolygon* polygon;
+    bool holds = false;
+};
+
+using Corners = std::array<PointInPlane, 4>;
+
+/// Whether an edge separates the corners from the polygon. Otherwise it finds whether the polygon holds them.
+bool is_separate(Candidate& candidate, const Corners& corners) {
+    candidate.holds = true;
+    for (std::size_t edge = 0; edge < candidate.polygon->vertices.size(); ++edge) {
+        bool all_outside = true;
+        for (const auto& corner : corners) {
+            const bool outside = candidate.polygon->inward(edge, corner) < 0;
+            candidate.holds = candidate.holds && !outside;
+            all_outside = all_outside && outside;
+        }
+        if (all_outside) return true;
+    }
+    return false;
+}
+
+/// Leaves out the polygons that do not show in the rectangle: those beside it, and those behind one that holds it.
+void leave_out_hidden(std::vector<Candidate>& candidates, const Corners& corners) {
+    std::erase_if(candidates, [&](Candidate& each) { return !each.holds && is_separate(each, corners); });
+    const Candidate* front = nullptr;
+    for (const Candidate& each : candidates) {
+        if (each.holds && (!front || hides(*each.polygon, *front->polygon, false, corners[0]))) front = &each;
+    }
+    if (!front) return;
+    const Candidate nearest = *front;
+    std::erase_if(candidates, [&](const Candidate& each) {
+        return each.place != nearest.place && std::all_of(corners.begin(), corners.end(), [&](const auto& corner) {
+                   return hides(*nearest.polygon, *each.polygon, nearest.place < each.place, corner);
+               });
+    });
+}
+
+std::optional<SceneFacts::Shown> unexpected_among(std::vector<Candidate> candidates, const PixelRectangle& pixels,
+                                                  const std::function<bool(std::optional<int>)>& expected) {
+    leave_out_hidden(candidates, corners_of(pixels));
+    const auto [x, y, width, height] = pixels;
+    if (candidates.empty() || (candidates.size() == 1 && candidates[0].holds)) {
+        const auto owner = candidates.empty() ? std::nullopt : std::optional(candidates[0].place);
+        return expected(owner) ? std::nullopt : std::optional(SceneFacts::Shown{x, y, owner});
+    }
+    const bool is_wide = width >= height;
+    const PixelRectangle first =
+        is_wide ? PixelRectangle{x, y, width / 2, height} : PixelRectangle{x, y, width, height / 2};
+    const PixelRectangle rest = is_wide ? PixelRectangle{x + width / 2, y, width - width / 2, height}
+                                        : PixelRectangle{x, y + height / 2, width, height - height / 2};
+    const auto found = unexpected_among(candidates, first, expected);
+    return found ? found : unexpected_among(std::move(candidates), rest, expected);
+}
+
+}  // namespace
+
+/// Few of a scene's polygons are asked about, so each is converted when it is needed first.
+struct SceneFacts::Polygons {
+    const Scene* scene;
+    bool edge_on_shows;
+    std::vector<std::unique_ptr<const RationalPolygon>> converted{scene->polygons.size()};
+
+    const RationalPolygon& at(int place) {
+        auto& polygon = converted[std::size_t(place)];
+        if (!polygon) polygon = std::make_unique<RationalPolygon>(scene->polygons[std::size_t(place)]);
+        return *polygon;
+    }
+    /// Those of the first polygons whose boxes meet the closed rectangle. None if what shows there is not known.
+    std::optional<std::vector<Candidate>> near(const Box<double>& rectangle, int polygons) {
+        std::vector<Candidate> found;
+        for (int place = 0; place < polygons; ++place) {
+            const auto& vertices = scene->polygons[std::size_t(place)].vertices;
+            const auto all = [&](auto&& beyond) { return std::all_of(vertices.begin(), vertices.end(), beyond); };
+            if (all([&](const auto& v) { return v.x < rectangle.xmin; }) ||
+                all([&](const auto& v) { return v.x > rectangle.xmax; }) ||
+                all([&](const auto& v) { return v.y < rectangle.ymin; }) ||
+                all([&](const auto& v) { return v.y > rectangle.ymax; })) {
+                continue;
+            }
+            if (!at(place).is_edge_on()) {
+                found.push_back({place, &at(place)});
+            } else if (edge_on_shows) {
+                return std::nullopt;
+            }
+        }
+        return found;
+    }
+};
+
+SceneFacts::SceneFacts(const Scene& scene, bool edge_on_shows)
+    : polygons_(std::make_unique<Polygons>(Polygons{&scene, edge_on_shows})) {}
+SceneFacts::~SceneFacts() = default;
+
+std::optional<bool> SceneFacts::holds(int polygon, const ValuePoint& at) const {
+    const auto place = in_rationals(at);
+    if (!place || (polygons_->edge_on_shows && is_edge_on(polygon))) return std::nullopt;
+    return polygons_->at(polygon).holds(*place);
+}
+
+std::optional<Value> SceneFacts::cross(int polygon, int edge, const ValuePoint& at) const {
+    const auto place = in_rationals(at);
+    if (!place) return std::nullopt;
+    return as_value(polygons_->at(polygon).cross(std::size_t(edge), *place));
+}
+
+std::optional<Value> SceneFacts::depth(int polygon, const ValuePoint& at) const {
+    const auto place = in_rationals(at);
+    if (!place || is_edge_on(polygon)) return std::nullopt;
+    return as_value(polygons_->at(polygon).depth(*place));
+}
+
+std::optional<std::pair<Value, Value>> SceneFacts::on_row(int polygon, int row) const {
+    const auto& vertices = polygons_->at(polygon).vertices;
+    const Rational y(row + .5);
+    std::optional<std::pair<Rational, Rational>> found;
+    const auto add = [&](const Rational& x) {
+        if (!found) {
+            found.emplace(x, x);
+        } else if (x < found->first) {
+            found->first = x;
+        } else if (x > found->second) {
+            found->second = x;
+        }
+    };
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto &p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
+        if (p.y == y) add(p.x);
+        if ((p.y < y && q.y > y) || (p.y > y && q.y < y)) add(p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y));
+    }
+    if (!found) return std::nullopt;
+    return std::pair(as_value(found->first), as_value(found->second));
+}
+
+bool SceneFacts::is_edge_on(int polygon) const { return polygons_->at(polygon).is_edge_on(); }
+
+std::optional<Relation> SceneFacts::relation(int polygon, const Window& window) const {
+    if (is_edge_on(polygon)) return std::nullopt;
+    const RationalPolygon& own = polygons_->at(polygon);
+    const auto corners = corners_of(window);
+    const auto& [xmin, ymin, xmax, ymax] = own.box;
+    if (xmax < window.x || ymax < window.y || xmin > window.right() || ymin > window.bottom()) return Relation::outside;
+    bool holds_all = true, touches = false;
+    for (std::size_t edge = 0; edge < own.vertices.size(); ++edge) {
+        int outside = 0, on_line = 0;
+        for (const auto& corner : corners) {
+            const Rational side = own.inward(edge, corner);
+            outside += side < 0 ? 1 : 0;
+            on_line += side == 0 ? 1 : 0;
+        }
+        if (outside == 4) return Relation::outside;
+        holds_all = holds_all && outside == 0;
+        touches = touches || outside + on_line == 4;
+    }
+    touches = touches || xmax == window.x || ymax == window.y || xmin == window.right() || ymin == window.bottom();
+    if (touches) return std::nullopt;
+    if (holds_all) return Relation::surrounding;
+    if (xmin > window.x && ymin > window.y && xmax < window.right() && ymax < window.bottom()) return Relation::inside;
+    const bool is_within = xmin >= window.x && ymin >= window.y && xmax <= window.right() && ymax <= window.bottom();
+    return is_within ? std::nullopt : std::optional(Relation::intersecting);
+}
+
+std::optional<SceneFacts::Shown> SceneFacts::shown(int x, int y) const {
+    return unexpected({x, y, 1, 1}, [](std::optional<int>) { return false; });
+}
+
+std::optional<SceneFacts::Seen> SceneFacts::seen(const ValuePoint& at) const {
+    const auto place = in_rationals(at);
+    if (!place) return std::nullopt;
+    const double x = number_of(at.x), y = number_of(at.y);
+    const auto near =
+        polygons_->near({std::floor(x), std::floor(y), std::ceil(x), std::ceil(y)}, int(polygons_->converted.size()));
+    if (!near) return std::nullopt;
+    std::optional<int> nearest;
+    for (const auto& [i, polygon, holds] : *near) {
+        if (polygon->holds(*place) && !(nearest && hides(polygons_->at(*nearest), *polygon, true, *place))) nearest = i;
+    }
+    return Seen{nearest};
+}
+
+std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pixels,
+                                                        const std::function<bool(std::optional<int>)>& expected) const {
+    return unexpected(pixels, int(polygons_->converted.size()), expected);
+}
+
+std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pixels, int polygons,
+                                                        const std::function<bool(std::optional<int>)>& expected) const {
+    const auto [x, y, width, height] = pixels;
+    if (width <= 0 || height <= 0) return std::nullopt;
+    auto near = polygons_->near({x + .5, y + .5, x + width - .5, y + height - .5}, polygons);
+    return near ? unexpected_among(std::move(*near), pixels, expected) : std::nullopt;
+}
+
+}  // namespace vidno

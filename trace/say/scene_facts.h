@@ -1,0 +1,66 @@
+/// SceneFacts: what is so in a scene, in exact arithmetic and by the picture rule, whatever a run computes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "format/value.h"
+#include "vidno/family/relation.h"
+#include "vidno/kernel.h"
+#include "vidno/picture.h"
+#include "vidno/scene.h"
+#include "vidno/window.h"
+
+namespace vidno {
+
+/// Polygons are named by their place in the scene, edges by their first vertex. What is made of an infinite coordinate,
+/// or of one that is no number, is not known.
+class SceneFacts {
+public:
+    /// The scene must outlive it. `edge_on_shows`: polygons that are edge-on show as lines, about which nothing is
+    /// known.
+    explicit SceneFacts(const Scene& scene, bool edge_on_shows = false);
+    ~SceneFacts();
+    SceneFacts(const SceneFacts&) = delete;
+    SceneFacts& operator=(const SceneFacts&) = delete;
+
+    /// Whether the point lies in the polygon or on its outline.
+    std::optional<bool> holds(int polygon, const ValuePoint& at) const;
+    /// The cross product of an edge and a point.
+    std::optional<Value> cross(int polygon, int edge, const ValuePoint& at) const;
+    /// The depth of the polygon's plane.
+    std::optional<Value> depth(int polygon, const ValuePoint& at) const;
+    /// Where the line through the centres of a row of pixels meets the polygon, from left to right.
+    std::optional<std::pair<Value, Value>> on_row(int polygon, int row) const;
+
+    bool is_edge_on(int polygon) const;
+    /// What a window has to do with a polygon that is not edge-on, as long as the window's sides do not matter: a
+    /// polygon that only touches them gets no answer.
+    std::optional<Relation> relation(int polygon, const Window& window) const;
+
+    /// A pixel, and the polygon that shows there; none for the background.
+    struct Shown {
+        int x, y;
+        std::optional<int> polygon;
+    };
+    std::optional<Shown> shown(int x, int y) const;
+    /// What is seen at a point.
+    struct Seen {
+        std::optional<int> polygon;
+    };
+    std::optional<Seen> seen(const ValuePoint& at) const;
+    /// The first pixel of the rectangle that shows something else than `expected` accepts.
+    std::optional<Shown> unexpected(const PixelRectangle& pixels,
+                                    const std::function<bool(std::optional<int>)>& expected) const;
+    /// The same for the picture of the first polygons of the scene.
+    std::optional<Shown> unexpected(const PixelRectangle& pixels, int polygons,
+                                    const std::function<bool(std::optional<int>)>& expected) const;
+
+private:
+    struct Polygons;
+    std::unique_ptr<Polygons> polygons_;
+};
+
+}  // namespace vidno

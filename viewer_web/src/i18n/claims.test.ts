@@ -1,0 +1,161 @@
+import { describe, expect, it } from 'vitest';
+import { short, toNumber } from '../language/words.js';
+import { ExactPolygon, centreOf, double, fraction, ownerAt, sign } from '../testing/exact-scene.js';
+import type { Fraction, Place } from '../testing/exact-scene.js';
+import { make } from '../testing/made.js';
+import { randomRuns } from '../testing/random-runs.js';
+import type { RandomRun } from '../testing/random-runs.js';
+import { traceOf } from '../testing/traces.js';
+import type { Event, EventName } from '../trace/events.js';
+import type { N } from '../trace/values.js';
+
+/** The program that makes the runs; `./dev test` names it. */
+const program = process.env['VIDNO_PROGRAM'];
+/** How many runs; 2,000 take five minutes. */
+const count = Number(process.env['VIDNO_RUNS'] ?? 300);
+
+interface SceneFile {
+  readonly background: string;
+  readonly polygons: readonly {
+    readonly id: string;
+    readonly color: string;
+    readonly vertices: readonly (readonly number[])[];
+  }[];
+}
+
+/** What is so in a scene, computed from the scene file alone. */
+class Truth {
+  private readonly polygons: readonly ExactPolygon[];
+  /** The polygon that the Z-buffer draws. */
+  private drawn = '';
+
+  constructor(private readonly scene: SceneFile) {
+    this.polygons = scene.polygons.map(
+      (each) => new ExactPolygon(each.id, each.color, each.vertices),
+    );
+  }
+
+  private polygon(id: string): ExactPolygon {
+    const found = this.polygons.find((each) => each.id === id);
+    if (found === undefined) throw new Error(id);
+    return found;
+  }
+  private place = ([x = 0, y = 0]: readonly N[]): Place => [fraction(x), fraction(y)];
+  private colorAt = (at: Place): string =>
+    ownerAt(this.polygons, at)?.color ?? this.scene.background;
+  private paints = (color: string, pixels: readonly (readonly [x: number, y: number])[]): boolean =>
+    pixels.every(([x, y]) => this.colorAt(centreOf(x, y)) === color);
+
+  /** Whether what an event states is so, for the events that this test decides; null if it does not decide this one. */
+  private readonly claims: { readonly [K in EventName]?: (event: Event<K>) => boolean | null } = {
+    polygon: ({ polygon }) => {
+      this.drawn = polygon;
+      return true;
+    },
+    depth: ({ polygon, point, z }) => {
+      const own = this.polygon(polygon);
+      return own.isEdgeOn ? null : looksLike(z, own.depth(this.place(point)));
+    },
+    orient: (event) => {
+      const cross = this.polygon(event.polygon).cross(event.edge, this.place(event.point));
+      return sign(cross) === event.sign && looksLike(event.value, cross);
+    },
+    surround: ({ polygon, point, inside }) =>
+      this.polygon(polygon).holds(this.place(point)) === inside,
+    pixel: ({ x, y, z, shown }) => {
+      const [at, own] = [centreOf(x, y), this.polygon(this.drawn)];
+      if (!own.holds(at)) return false;
+      const soFar = this.polygons.slice(0, this.polygons.indexOf(own) + 1);
+      return (ownerAt(soFar, at) === own) === shown && looksLike(z, own.depth(at));
+    },
+    color: ({ point, color }) => this.colorAt(this.place(point)) === color,
+    fill: ({ at, rect: [left, top, width, height], color }) => {
+      // The only polygon is drawn over it.
+      if (at === 'W10' || at === 'WF6') return null;
+      const rows = Array.from({ length: height }, (_, i) => asRun([top + i, left, left + width]));
+      return this.paints(color, rows.flatMap(pixelsOf));
+    },
+    paint: ({ polygon, runs }) =>
+      this.paints(this.polygon(polygon).color, runs.map(asRun).flatMap(pixelsOf)),
+  };
+
+  isSo(event: Event): boolean | null {
+    return (
+      (this.claims[event.e] as ((event: Event) => boolean | null) | undefined)?.(event) ?? null
+    );
+  }
+
+  /** Whether what is said to be so at a pixel is. */
+  isSaidRightly(said: string): boolean {
+    const [, x, y, rest] = /pixel \((\S+), (\S+)\) shows (.+)\.$/u.exec(said) ?? [];
+    if (x === undefined || y === undefined || rest === undefined) return true;
+    const at = centreOf(numberIn(x), numberIn(y));
+    const owner = ownerAt(this.polygons, at);
+    if (owner === null) return rest === 'the background';
+    return rest.startsWith(`${owner.id}, whose depth there is `);
+  }
+}
+
+const numberIn = (text: string): number => Number(text.replace('−', '-'));
+type Run = Readonly<Record<'row' | 'first' | 'end', number>>;
+const asRun = ([row, first, end]: readonly [number, number, number]): Run => ({ row, first, end });
+const pixelsOf = ({ row, first, end }: Run): readonly (readonly [number, number])[] =>
+  Array.from({ length: end - first }, (_, i) => [first + i, row]);
+const digits = (value: number): string => short(value).replace('≈', '');
+/** Whether the digits that a sentence shows are right. */
+const looksLike = (computed: N, exact: Fraction): boolean =>
+  digits(toNumber(computed)) === digits(double(exact));
+
+const met = { right: 0, wrong: 0 };
+const names = new Set<EventName>();
+
+async function faultsOf(run: RandomRun): Promise<readonly string[]> {
+  const { trace: text } = await make(program ?? '', run);
+  const [header, ...lines] = text.trim().split('\n').slice(0, -1);
+  const { scene } = JSON.parse(header ?? '') as { scene: SceneFile };
+  const truth = new Truth(scene);
+  const trace = await traceOf(text);
+  const { method, edition, kernel } = run.options;
+  const neverErrs = edition === 'corrected' && !/^(?:float|double|bits|depth)/u.test(kernel);
+  return lines.flatMap((line, i) => {
+    const event = JSON.parse(line) as Event;
+    const said = trace.timeline.sentence(i + 1, 'en');
+    const isMarked = said.includes('\n');
+    const fault = (what: string): readonly string[] => [`${line} “${said}” ${what}`];
+    if (neverErrs) return isMarked ? fault('is marked, and cannot be wrong') : [];
+    // Polygons that are edge-on show as lines there.
+    if (method === 'warnock-edges') return [];
+    const isSo = truth.isSo(event);
+    if (isSo !== null) {
+      met[isSo ? 'right' : 'wrong']++;
+      if (!isSo) names.add(event.e);
+      if (isSo === isMarked) return fault(isSo ? 'is so, and marked' : 'is not so, and not marked');
+    }
+    return truth.isSaidRightly(said) ? [] : fault('states another truth');
+  });
+}
+
+describe.runIf(program !== undefined)(`the sentences of ${count} random runs`, () => {
+  it('state as so only what is so by exact arithmetic', async () => {
+    const waiting = randomRuns(count, 2027).filter(
+      ({ options }) => options.method !== 'floating-horizon',
+    );
+    const wrong: string[] = [];
+    const work = async (): Promise<void> => {
+      for (let run = waiting.pop(); run !== undefined; run = waiting.pop()) {
+        const found = await faultsOf(run);
+        wrong.push(...found.map((each) => `${Object.values(run.options).join(' ')}: ${each}`));
+      }
+    };
+    await Promise.all(Array.from({ length: 4 }, work));
+    expect(wrong.slice(0, 20)).toEqual([]);
+    // Both cases occurred, the wrong ones in every kind of claim.
+    expect(met.right).toBeGreaterThan(count);
+    expect([...names].sort()).toEqual(
+      ['color', 'depth', 'fill', 'orient', 'paint', 'pixel', 'surround'].filter((name) =>
+        names.has(name as EventName),
+      ),
+    );
+    expect(names.size).toBeGreaterThan(4);
+  }, 900_000);
+});
