@@ -91,7 +91,9 @@ struct Truths : WarnockWords {
         const Said outside = not_surrounding(e.polygon);
         if (!outside.empty() || !window()) return outside;
         // Those after it in the scene have not been examined yet.
-        return shown_in(pixels(), e.polygon.index + 1, [&](Owner owner) { return owner == e.polygon.index; });
+        const auto nearer =
+            facts.unexpected(pixels(), e.polygon.index + 1, [&](Owner owner) { return owner == e.polygon.index; });
+        return nearer ? not_nearest(e.polygon, *nearer) : Said();
     }
     Said operator()(const event::Summary& e) const {
         if (!e.has_surround || !window()) return {};
@@ -234,9 +236,7 @@ struct Truths : WarnockWords {
         const ValuePoint centre{e.x + .5, e.y + .5};
         const auto own = facts.depth(polygon->index, centre);
         if (!own) return {};
-        if (facts.holds(polygon->index, centre) == false) {
-            return say("the centre of this pixel lies outside {}.", "центр этого пикселя лежит вне {}.", *polygon);
-        }
+        if (facts.holds(polygon->index, centre) == false) return not_nearest(*polygon, {e.x, e.y, {}});
         Owner owner;
         facts.unexpected({e.x, e.y, 1, 1}, polygon->index + 1, [&](Owner found) {
             owner = found;
@@ -245,10 +245,7 @@ struct Truths : WarnockWords {
         const bool shows = owner == polygon->index;
         if (shows == e.shown) return number(e.z, *own, {"its depth is {}.", "глубина равна {}."});
         if (shows) return say("it is the nearest so far: {}.", "он пока ближе всех: {}.", *own);
-        const auto other = facts.depth(*owner, centre);
-        const auto [one, two] = apart(*other, *own, language());
-        const auto sign = order_of(*other, *own) == Sign::zero ? "=" : ">";
-        return say("{} is no farther: {} {} {}.", "{} не дальше: {} {} {}.", PolygonPlace{*owner}, one, sign, two);
+        return not_nearest(*polygon, {e.x, e.y, owner});
     }
 
     // Weiler and Atherton's algorithm
@@ -288,6 +285,7 @@ private:
 
     /// Whether the digits of a sentence are right.
     bool looks_like(const Value& computed, const Value& exact) const {
+        if (computed.fraction) return computed == exact;
         const auto digits = [&](const Value& value) {
             const Said text = short_number(number_of(value), language());
             constexpr std::string_view about = "≈";
@@ -311,6 +309,22 @@ private:
     }
     Said only_shown(Owner polygon) const {
         return shown_in(pixels(), everything(), [&](Owner owner) { return owner == polygon; });
+    }
+
+    /// Why the polygon does not show at a pixel, where another one or none of those so far does.
+    Said not_nearest(PolygonPlace polygon, const SceneFacts::Shown& pixel) const {
+        const ValuePoint centre{pixel.x + .5, pixel.y + .5};
+        const Said at = pair(double(pixel.x), double(pixel.y));
+        if (!pixel.polygon || facts.holds(polygon.index, centre) == false) {
+            return say("the centre of pixel {} lies outside {}.", "центр пикселя {} лежит вне {}.", at, polygon);
+        }
+        const PolygonPlace other{*pixel.polygon};
+        const auto own = facts.depth(polygon.index, centre), others = facts.depth(other.index, centre);
+        const auto [one, two] = apart(*others, *own, language());
+        return order_of(*others, *own) == Sign::zero
+                   ? say("at pixel {} {} is as near and comes first: {} = {}.",
+                         "в пикселе {} {} так же близко и идёт раньше: {} = {}.", at, other, one, two)
+                   : say("at pixel {} {} is nearer: {} > {}.", "в пикселе {} {} ближе: {} > {}.", at, other, one, two);
     }
 
     std::optional<Relation> relation_of(PolygonPlace polygon) const {

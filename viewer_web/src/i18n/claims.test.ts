@@ -1,6 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { short, toNumber } from '../language/words.js';
-import { ExactPolygon, centreOf, double, fraction, ownerAt, sign } from '../testing/exact-scene.js';
+import {
+  ExactPolygon,
+  centreOf,
+  double,
+  fraction,
+  minus,
+  ownerAt,
+  sign,
+} from '../testing/exact-scene.js';
 import type { Fraction, Place } from '../testing/exact-scene.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';
@@ -104,7 +112,9 @@ const pixelsOf = ({ row, first, end }: Run): readonly (readonly [number, number]
 const digits = (value: number): string => short(value).replace('≈', '');
 /** Whether the digits that a sentence shows are right. */
 const looksLike = (computed: N, exact: Fraction): boolean =>
-  digits(toNumber(computed)) === digits(double(exact));
+  typeof computed === 'string'
+    ? sign(minus(fraction(computed), exact)) === 0
+    : digits(toNumber(computed)) === digits(double(exact));
 
 const met = { right: 0, wrong: 0 };
 const names = new Set<EventName>();

@@ -133,3 +133,6 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
 }
+
+/** The reason of a fault, as a trace has it. */
+export const faultReason = (reason: string): string => reason;

@@ -17,7 +17,7 @@ const common: Pick<Notes, keyof CommonEvents> = {
   plane: ({ plane }, { point }) => point(plane),
   call: null,
   depth: ({ z }, { short }) => short(z),
-  fault: ({ reason }) => reason,
+  fault: ({ reason }, { faultReason }) => faultReason(reason),
   disagree: ({ taken, exact }, numbers) => `${answer(taken, numbers)} ≠ ${answer(exact, numbers)}`,
 };
 

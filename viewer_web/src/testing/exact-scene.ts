@@ -27,10 +27,13 @@ export const over = (a: Fraction, b: Fraction): Fraction =>
   b.p < 0n ? { p: -a.p * b.q, q: a.q * -b.p } : { p: a.p * b.q, q: a.q * b.p };
 export const sign = ({ p }: Fraction): -1 | 0 | 1 => (p < 0n ? -1 : p > 0n ? 1 : 0);
 
+const divisor = (a: bigint, b: bigint): bigint => (b === 0n ? a : divisor(b, a % b));
+
 /** The nearest double, or, of a long fraction, one beside it. */
 export function double({ p, q }: Fraction): number {
-  if (Number.isSafeInteger(Number(p)) && Number.isSafeInteger(Number(q)))
-    return Number(p) / Number(q);
+  const common = divisor(p < 0n ? -p : p, q);
+  const [top, under] = [Number(p / common), Number(q / common)];
+  if (Number.isSafeInteger(top) && Number.isSafeInteger(under)) return top / under;
   const digits = 10n ** 30n;
   return Number((p * digits) / q) / 1e30;
 }

@@ -1,4 +1,5 @@
 import {
+  faultReason,
   inFull,
   joined,
   list,
@@ -30,7 +31,18 @@ import { travel } from './travel.js';
 import { tour, verdict, words } from './words.js';
 
 export const texts = {
-  numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
+  numbers: {
+    faultReason,
+    inFull,
+    joined,
+    list,
+    point,
+    short,
+    shortApart,
+    signed,
+    whole,
+    windowText,
+  },
   page,
   places,
   reasons,
