@@ -286,6 +286,10 @@ private:
     /// Whether the digits of a sentence are right.
     bool looks_like(const Value& computed, const Value& exact) const {
         if (computed.fraction) return computed == exact;
+        // Half of a last digit may be rounded either way.
+        constexpr double tiny = 1e-12;
+        const double one = number_of(computed), other = number_of(exact);
+        if (std::abs(one - other) <= tiny * std::abs(other)) return true;
         const auto digits = [&](const Value& value) {
             const Said text = short_number(number_of(value), language());
             constexpr std::string_view about = "≈";
