@@ -705,7 +705,7 @@ export class PlayerElement extends StageElement {
               aria-atomic="true"
             >
               <span class="at">${view.event?.at ?? '·'}</span
-              ><span>${withTerms(view.sentence, termsIn(view))} ${this.verdict(trace, view)}</span>
+              ><span>${this.verdict(trace, view)} ${withTerms(view.sentence, termsIn(view))}</span>
             </p>
             ${this.presenter.corner(view)}
           </div>
