@@ -549,7 +549,7 @@ struct ClipSign {
 struct ClipCross {
     static constexpr Kind kind{"clip_cross", Detail::polygons};
     static constexpr LineSet lines{PL5};
-    static constexpr std::string_view says = "the crossing with the side joins the new list";
+    static constexpr std::string_view says = "the crossing with the line of the side joins the new list";
     Line at{};
     ValueVertex vertex;
     static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }

@@ -578,10 +578,11 @@ void WarnockJudge::judge(const event::ClipCross& e) const {
         (clipped_ < 0 || truth().has_vertex(clipped_, {e.vertex.x.number, e.vertex.y.number, e.vertex.z.number})))
         return;
     throw False{Symptom::clip,
-                say({"{} is where the outline crosses the current side", "{} — точка пересечения с текущей стороной"},
+                say({"{} is where the outline crosses the line of the current side",
+                     "{} — точка пересечения с прямой текущей стороны"},
                     say.point(e.vertex.x.number, e.vertex.y.number, e.vertex.z.number)),
                 on_side ? say({"it is not on the polygon", "она не лежит на многоугольнике"})
-                        : say({"it is not on that side", "она не лежит на этой стороне"})};
+                        : say({"it is not on that line", "она не лежит на этой прямой"})};
 }
 
 void WarnockJudge::judge(const event::ClipKeep& e) const {

@@ -110,6 +110,8 @@ public:
     /// The polygon that did so until the last event Uncover.
     std::optional<PolygonPlace> uncovered() const { return uncovered_; }
     const std::optional<Clip>& clip() const { return clip_; }
+    /// The side of the window by which PolygonClip clips.
+    const std::optional<event::ClipSide>& clip_side() const { return clip_side_; }
     /// The depths of the current polygon at the corners so far.
     const std::vector<Value>& depths() const { return depths_; }
     /// What PointColor has found so far.
@@ -149,7 +151,10 @@ public:
     void take(const event::Nearest& e, Screen&) { nearest_ = {e.polygon, e.z}; }
     void take(const event::PointColor&, Screen&);
     void take(const event::ClipBegin&, Screen&);
-    void take(const event::ClipSide&, Screen&) { clipping().next.clear(); }
+    void take(const event::ClipSide& e, Screen&) {
+        clipping().next.clear();
+        clip_side_ = e;
+    }
     void take(const event::ClipCross& e, Screen&) { clipping().next.push_back(e.vertex); }
     void take(const event::ClipKeep& e, Screen&) { clipping().next.push_back(e.vertex); }
     void take(const event::ClipList&, Screen&);
@@ -186,6 +191,7 @@ private:
     Findings found_, last_;
     std::optional<PolygonPlace> covering_, uncovered_;
     std::optional<Clip> clip_;
+    std::optional<event::ClipSide> clip_side_;
     std::vector<Value> depths_;
     bool are_depths_compared_ = false;
     std::optional<Nearest> nearest_;

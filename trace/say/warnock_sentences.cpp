@@ -211,8 +211,14 @@ struct WarnockSentences : WarnockWords {
         return {};
     }
     Said operator()(const event::ClipCross& e) const {
-        return say("The edge crosses the side at {}: the crossing joins the new list.",
-                   "Ребро пересекает сторону в точке {}: эта точка входит в новый список.", e.vertex);
+        if (is_within_side(e.vertex)) {
+            return say("The edge crosses the side at {}: the crossing joins the new list.",
+                       "Ребро пересекает сторону в точке {}: эта точка входит в новый список.", e.vertex);
+        }
+        return say("The edge crosses the side’s line at {}, beyond the side itself: the crossing joins the new list.",
+                   "Ребро пересекает прямую стороны в точке {}, за пределами самой стороны: эта точка входит в новый "
+                   "список.",
+                   e.vertex);
     }
     Said operator()(const event::ClipKeep& e) const {
         return say("The vertex {} joins the new list.", "Вершина {} входит в новый список.", e.vertex);
@@ -237,13 +243,14 @@ struct WarnockSentences : WarnockWords {
         const Said met = only().value_or(Said(in({"the polygon", "многоугольник"})));
         const Said where =
             e.first < e.end ? columns(e.first, e.end - 1) : say("no pixel’s centre", "ни одного центра пикселя");
-        return say("Row {} meets {} from {} to {}: {}.", "Строка {} пересекает {} от {} до {}: {}.", e.row, met, e.left,
-                   e.right, where);
+        return say("Within the window, row {} meets {} from {} to {}: {}.",
+                   "Строка {} в пределах окна пересекает {} от {} до {}: {}.", e.row, met, e.left, e.right, where);
     }
     Said operator()(const event::Draw& e) const {
         if (e.runs.empty()) {
-            return say("No pixel takes the colour of {}: no centre lies in this part of it.",
-                       "Ни один пиксель не получает цвет {}: в этой его части нет ни одного центра.", e.polygon);
+            return say("No pixel takes the colour of {}: it covers no pixel’s centre in this window.",
+                       "Ни один пиксель не получает цвет {}: в этом окне он не накрывает ни одного центра пикселя.",
+                       e.polygon);
         }
         return say("{} the colour of {} in {}.", "{} цвет {} в {}.", takes(pixels_in(e.runs)), e.polygon,
                    counted((long long)(e.runs.size()), row_forms));
@@ -424,6 +431,15 @@ struct WarnockSentences : WarnockWords {
         const Said what = corner ? say("The {} corner", "Угол окна ({})", place_of(*corner))
                                  : say("The point {}", "Точка {}", e.point);
         return e.at == OA4 && language() == Language::english ? what + " of the window" : what;
+    }
+    /// Whether a point of the line by which PolygonClip clips lies on the side of the window itself.
+    bool is_within_side(const ValueVertex& point) const {
+        const auto& side = warnock().clip_side();
+        if (!side) return false;
+        const bool is_level = order_of(side->from.y, side->to.y) == Sign::zero;
+        const Value& along = is_level ? point.x : point.y;
+        return order_of(along, is_level ? side->from.x : side->from.y) !=
+               order_of(along, is_level ? side->to.x : side->to.y);
     }
     /// The side of the window on which the line lies, after a comma.
     Said side_along(const event::ClipSide& e) const {

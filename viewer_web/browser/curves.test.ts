@@ -82,7 +82,9 @@ describe('a run of curves', () => {
     // Its arithmetic is right, and its lines are wrong.
     await expect
       .poll(() => page.locator('.verdict').textContent())
-      .toBe('4 curves; every decision as in exact arithmetic, but this is not the corrected text.');
+      .toBe(
+        'Finished: 4 curves; every decision as in exact arithmetic, but this is not the corrected text.',
+      );
     expect(faults).toEqual([]);
   });
 

@@ -96,7 +96,7 @@ describe('the first screen', () => {
     await expect
       .poll(() => page.locator('.verdict').textContent())
       .toMatch(
-        /^20 pixels, all as in exact arithmetic; \d+ windows\.$/, // its area has 5 x 4
+        /^Finished: 20 pixels, all as in exact arithmetic; \d+ windows\.$/, // its area has 5 x 4
       );
     await page.getByRole('button', { name: 'Play from the start' }).click();
     await expect.poll(async () => (await shown(page)).step).toBeLessThan(length);
@@ -112,7 +112,7 @@ describe('the first screen', () => {
     await page.keyboard.press('End');
     await expect
       .poll(() => page.locator('.verdict').textContent())
-      .toMatch(/^64 pixels, all colours as in exact arithmetic; \d+ windows\.$/);
+      .toMatch(/^Finished: 64 pixels, all colours as in exact arithmetic; \d+ windows\.$/);
     expect(faults).toEqual([]);
   });
 

@@ -28,6 +28,16 @@ it('sorts by step, by kind and by narrowness', () => {
   expect(steps('ulps')).toEqual([3, 7, 9, 12]);
 });
 
+it('calls only those decisions narrow that are at most 1024 ulps from zero', () => {
+  const narrowBy = (ulps: number): string =>
+    `{"kind":"narrow","step":4,"at":"PW3","procedure":"ProcessWindow","polygons":[],"pixels":[0,0,1,1],"of":"box","taken":true,"exact":true,"coincidence":"box_on_window","ulps":${ulps},"operands":[]}`;
+  // A quarter of a pixel at 16 is 2^-2 / 2^-48 = 2^46 ulps of a double.
+  const found = findingsIn(
+    ['{}', narrowBy(1), narrowBy(1024), narrowBy(1025), narrowBy(2 ** 46)].join('\n'),
+  );
+  expect(found.map(({ ulps }) => ulps)).toEqual([1, 1024]);
+});
+
 it('leaves out equal numbers of sorts and boxes', () => {
   expect(
     findingsIn(lines)
@@ -38,8 +48,12 @@ it('leaves out equal numbers of sorts and boxes', () => {
 
 it('marks single pixels always, and larger areas at their step', () => {
   const found = findingsIn(lines);
-  expect(findingMarks(found, 0)).toEqual([{ kind: 'box', role: 'zero', box: [2, 0, 1, 1] }]);
-  expect(findingMarks(found, 3)).toHaveLength(1);
+  // The wrong decision is on top.
+  expect(findingMarks(found, 0)).toEqual([
+    { kind: 'box', role: 'zero', box: [2, 0, 1, 1] },
+    { kind: 'box', role: 'wrong', box: [0, 0, 1, 1] },
+  ]);
+  expect(findingMarks(found, 3)).toHaveLength(2);
   expect(
     findingMarks(
       found.slice(0, 1).map((each) => ({ ...each, pixels: [0, 0, 4, 1] as const })),
@@ -50,6 +64,9 @@ it('marks single pixels always, and larger areas at their step', () => {
 
 it('marks each place of the strip once for each kind', () => {
   const found = findingsIn(lines);
-  expect(findingSteps(found, 12).map(({ step }) => step)).toEqual([7]);
-  expect(findingSteps(found, 12, 1)).toEqual([{ step: 7, kind: 'zero' }]);
+  expect(findingSteps(found, 12).map(({ step }) => step)).toEqual([7, 9]);
+  expect(findingSteps(found, 12, 1)).toEqual([
+    { step: 7, kind: 'zero' },
+    { step: 9, kind: 'wrong' },
+  ]);
 });

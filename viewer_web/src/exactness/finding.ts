@@ -21,6 +21,8 @@ export type Coincidence = (typeof coincidences)[number];
 export interface Finding {
   readonly kind: FindingKind;
   readonly step: number;
+  /** False if the level of detail lacks the decision; the step then contains it. */
+  readonly isShown?: boolean;
   readonly at: string;
   readonly procedure: string;
   readonly polygons: readonly string[];
@@ -38,9 +40,15 @@ export interface Finding {
   readonly operands: Operands;
 }
 
+/** Ulps from zero: a decision at most this far away is narrow. */
+export const narrow = 2 ** 10;
+
 const kindAndStep = part({ kind: oneOf(...findingKinds), step: whole });
 
-/** The list of a run, as `vidno check --list` writes it, after a first line that identifies the run. */
+/**
+ * The list of a run, as `vidno check --list` writes it, after a first line that identifies the run. That has the narrowest
+ * decisions of the run, however wide they are; here they are left out unless they are narrow.
+ */
 export function findingsIn(lines: string): readonly Finding[] {
   return lines
     .split('\n')
@@ -50,7 +58,8 @@ export function findingsIn(lines: string): readonly Finding[] {
       const found: unknown = JSON.parse(line);
       kindAndStep(found, '');
       return found as Finding;
-    });
+    })
+    .filter(({ kind, ulps = Infinity }) => kind !== 'narrow' || ulps <= narrow);
 }
 
 /** The possible orders of the list. */

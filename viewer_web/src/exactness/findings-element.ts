@@ -7,7 +7,7 @@ import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { ExactTexts } from '../language/texts.js';
-import { isSeen, orders, sortedBy } from './finding.js';
+import { isSeen, narrow, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
 import { inNotation, superscript, withoutOne } from './calculation.js';
@@ -32,6 +32,33 @@ export class FindingsElement extends LitElement {
         align-items: center;
         margin-bottom: 0.3rem;
         font-size: 0.8125rem;
+      }
+      .hint {
+        color: var(--soft);
+        font-size: 0.75rem;
+      }
+      .legend {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0.2rem 0.9rem;
+        margin: 0 0 0.3rem;
+        padding: 0;
+        list-style: none;
+        font-size: 0.75rem;
+      }
+      .sample {
+        display: inline-block;
+        width: 0.8em;
+        height: 0.8em;
+        border: 2px solid #c1121f;
+        vertical-align: -0.1em;
+        forced-color-adjust: none;
+      }
+      .sample.zero {
+        border: 1px solid #0b7a4b;
+      }
+      .sample.narrow {
+        border: 1px dotted #b25e00;
       }
       table {
         width: 100%;
@@ -74,7 +101,7 @@ export class FindingsElement extends LitElement {
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) findings: readonly Finding[] = [];
-  @state() private order: Order = 'step';
+  @state() private order: Order = 'kind';
   @state() private withNumbers = false;
   @state() private shown = page;
 
@@ -104,8 +131,23 @@ export class FindingsElement extends LitElement {
             : nothing
         }
       </div>
+      ${rows.some(({ isShown }) => isShown === false) ? html`<p class="hint">${say.within}</p>` : nothing}
+      ${rows.some(({ kind }) => kind !== 'point') ? this.legend(rows) : nothing}
       ${rows.length === 0 ? nothing : this.table(rows)}
     </section>`;
+  }
+
+  /** What the colours in the picture and on the strip mean. */
+  private legend(rows: readonly Finding[]): TemplateResult {
+    const { kinds, narrowBy } = this.texts.findings;
+    const nameOf = (kind: keyof typeof kinds): string =>
+      kind === 'narrow' ? narrowBy(narrow) : kinds[kind];
+    const met = (['wrong', 'zero', 'narrow'] as const).filter((kind) =>
+      rows.some((row) => row.kind === kind),
+    );
+    return html`<ul class="legend">
+      ${met.map((kind) => html`<li><span class="sample ${kind}"></span> ${nameOf(kind)}</li>`)}
+    </ul>`;
   }
 
   private table(rows: readonly Finding[]): TemplateResult {
@@ -136,12 +178,15 @@ export class FindingsElement extends LitElement {
   }
 
   private row(finding: Finding): TemplateResult {
-    const { step, at, kind, coincidence, ulps, off, polygons } = finding;
+    const { step, at, kind, coincidence, ulps, off, polygons, isShown = true } = finding;
     const say = this.texts.findings;
     const what = coincidence === undefined ? '' : say.coincidences[coincidence];
     const isHere = step === this.view.step;
     return html`<tr aria-current=${isHere ? 'step' : nothing}>
-        <td class="number"><button @click=${() => this.seek(step)}>${step}</button> ${at}</td>
+        <td class="number">
+          <button @click=${() => this.seek(step)}>${step}</button>
+          ${isShown ? at : html`<span class="hint">⊃ ${at}</span>`}
+        </td>
         <td>${say.kinds[kind]}${what === '' ? '' : ': '}${what}</td>
         <td class="number">
           ${off === undefined ? this.width(ulps) : say.pixels(this.width(off))}

@@ -206,6 +206,8 @@ export const meeting: Asker<'meeting'> = {
     if (known.length < 2 || !known.every(hasHorizon)) return null;
     const was = sideBeside(from[1], to[1]);
     const is = sideBeside(to[1], from[1]);
+    // A segment that passes both horizons meets both.
+    if (was !== 'hidden' && is !== 'hidden') return null;
     const isUpper = (result.event.at === 'FH7' ? was : is) === 'above';
     const isFirstByDefect = hasDefect(trace.header.edition, 'x-h2') && was === 'hidden'; // X-H2
     const { columns } = result.event;

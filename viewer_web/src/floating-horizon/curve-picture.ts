@@ -64,6 +64,9 @@ export class CurvePictureElement extends PlaneElement {
     ></vidno-sample-handles>`;
   }
 
+  /** A sample lies over a whole column, and heights are whole at the lines. */
+  protected override readonly numbered = 'lines';
+
   protected override get words(): CurveHistoryTexts {
     return texts[this.view.language].curves.history;
   }

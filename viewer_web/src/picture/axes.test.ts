@@ -1,7 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { stepOf, ticksIn } from './axes.js';
+import { placeOf, stepOf, ticksIn } from './axes.js';
 
 describe('the numbers of an axis', () => {
+  it('stand at the centres of pixels, or where the samples of curves are', () => {
+    // Pixel 8 reaches from 8 to 9, but the sample of column 8 has x = 8.
+    expect(placeOf(8, 'pixels')).toBe(8.5);
+    expect(placeOf(8, 'lines')).toBe(8);
+  });
+
   it.each([
     [0.1, 1],
     [1, 1],

@@ -29,6 +29,13 @@ const letter = 6.5;
 /** The least distance between numbers, in CSS pixels. */
 const apart = { x: 30, y: 17 };
 
+/** What the numbers belong to: pixels, numbered at their centres, or the whole numbers themselves. */
+export type Numbered = 'pixels' | 'lines';
+
+/** The position of a number along an axis, in units of the plane. */
+export const placeOf = (n: number, numbered: Numbered): number =>
+  numbered === 'pixels' ? n + 0.5 : n;
+
 /** The numbers of columns and rows along the area. Where its edge is out of sight, they are along the edge of the box. */
 @customElement('vidno-axes')
 export class AxesElement extends LitElement {
@@ -78,6 +85,8 @@ export class AxesElement extends LitElement {
   /** The pixel under the pointer, whose column and row are always numbered. */
   @property({ attribute: false }) pointed: Pixel | null = null;
 
+  @property({ attribute: false }) numbered: Numbered = 'pixels';
+
   override render(): TemplateResult {
     const { frame } = this;
     const { width, height } = frame.size;
@@ -96,7 +105,7 @@ export class AxesElement extends LitElement {
     const last = Math.min(from + length, Math.ceil(start + seen)) - 1;
     const digits = String(last).length;
     const least = axis === 'x' ? Math.max(apart.x, (digits + 2) * letter) : apart.y;
-    const at = (n: number): number => (n + 0.5 - start) * scale;
+    const at = (n: number): number => (placeOf(n, this.numbered) - start) * scale;
     const pointed = this.pointed?.[axis === 'x' ? 0 : 1] ?? null;
     const ticks = ticksIn(first, last, least / scale).filter(
       (n) => pointed === null || n === pointed || Math.abs(at(n) - at(pointed)) >= least,

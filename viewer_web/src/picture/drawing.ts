@@ -6,7 +6,7 @@ import type { Frame } from './frame.js';
 import { marksOf } from './marks.js';
 import { shapesOf } from './shapes.js';
 import type { Shape } from './shapes.js';
-import { gridShapes, labelsOf, notesOf, outlineShapes } from './still.js';
+import { gridShapes, notesOf, outlineShapes } from './still.js';
 import type { Label } from './still.js';
 
 /** The drawing over the pixels of a picture, from bottom to top, for the page and for figures. */
@@ -20,10 +20,7 @@ export const sceneDrawing = (
   scene: Scene,
   frame: Frame,
   under: readonly Shape[] = [],
-): Drawing => ({
-  shapes: [...gridShapes(frame), ...under, ...outlineShapes(scene)],
-  labels: labelsOf(scene, frame),
-});
+): readonly Shape[] => [...gridShapes(frame), ...under, ...outlineShapes(scene)];
 
 /** The marks of the step; `over` lies under them. */
 export function stepDrawing(view: View, frame: Frame, over: readonly Shape[] = []): Drawing {

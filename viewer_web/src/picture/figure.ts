@@ -7,7 +7,7 @@ import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';
 import { patchesOf } from './patches.js';
 import type { Shape } from './shapes.js';
-import { labelSize } from './still.js';
+import { labelSize, labelsOf, swatchOf } from './still.js';
 import type { Label } from './still.js';
 
 /** The longer side, in CSS pixels. */
@@ -22,9 +22,20 @@ export function pathOf({ look, d, color, fill }: Shape, scale: number): string {
 }
 
 /** The text is written twice, first as a light rim, because few programs can draw rim and text at once. */
-function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
+function label(written: Label, { whole, scale }: Frame): string {
+  const { text, color, at } = written;
+  const [x, y] = at;
+  const swatch = swatchOf(written, labelSize);
+  const square = {
+    x: short((x - whole[0]) * scale + (swatch?.x ?? 0)),
+    y: short((y - whole[1]) * scale - (swatch?.size ?? 0) / 2),
+    width: short(swatch?.size ?? 0),
+    height: short(swatch?.size ?? 0),
+    fill: color ?? '',
+    stroke: '#ffffff',
+  };
   const attributes = {
-    x: short((x - whole[0]) * scale),
+    x: short((x - whole[0]) * scale + (swatch?.shift ?? 0)),
     y: short((y - whole[1]) * scale + labelSize * 0.36),
     'text-anchor': 'middle',
     'font-family': 'sans-serif',
@@ -35,6 +46,7 @@ function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
   const fill = look.get('fill') ?? '';
   const rim = [...Object.entries(attributes), ...look];
   return (
+    (swatch === null ? '' : element('rect', Object.entries(square))) +
     element('text', rim, escaped(text)) +
     element('text', Object.entries({ ...attributes, fill }), escaped(text))
   );
@@ -65,8 +77,10 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const still = sceneDrawing(scene, frame, under);
   const step = stepDrawing({ ...view, pointed: null, asked: [] }, frame, over);
-  const shapes = [...still.shapes, ...step.shapes].map((shape) => pathOf(shape, scale));
-  const names = [...still.labels, ...step.labels].map((each) => label(each, frame));
+  const shapes = [...still, ...step.shapes].map((shape) => pathOf(shape, scale));
+  const names = [...labelsOf(scene, frame, view.screen.picture), ...step.labels].map((each) =>
+    label(each, frame),
+  );
   return figureDocument(view, frame, `${sharp}${shapes.join('')}`, names.join(''));
 }
 

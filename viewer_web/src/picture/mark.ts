@@ -24,6 +24,7 @@ export type Role =
   | 'pointed'
   | 'chosen'
   | 'cursor'
+  | 'wrong'
   | 'zero'
   | 'narrow'
   | 'margin';

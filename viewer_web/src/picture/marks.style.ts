@@ -159,15 +159,19 @@ export const marksStyle = css`
     stroke: #10131c;
     stroke-width: 2.5;
   }
+  .wrong {
+    stroke: #c1121f;
+    stroke-width: 2.5;
+    fill: #c1121f;
+    fill-opacity: 0.2;
+  }
   .zero {
     stroke: #0b7a4b;
-    stroke-width: 2;
-    fill: #0b7a4b;
-    fill-opacity: 0.12;
+    stroke-width: 1;
   }
   .narrow {
     stroke: #b25e00;
-    stroke-width: 2;
+    stroke-width: 1.5;
     stroke-dasharray: 2 3;
   }
   .margin {

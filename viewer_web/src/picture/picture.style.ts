@@ -66,6 +66,12 @@ export const pictureStyle = css`
       display: none;
     }
   }
+  .swatch {
+    stroke: #ffffff;
+    stroke-width: 1.5px;
+    vector-effect: non-scaling-stroke;
+    paint-order: stroke;
+  }
   .label {
     fill: #10131c;
     stroke: #ffffff;

@@ -9,6 +9,7 @@ import { nameIn } from '../language/scene-name.js';
 import type { HistoryTexts } from '../language/texts.js';
 import type { Area, Scene } from '../trace/header.js';
 import './axes.js';
+import type { Numbered } from './axes.js';
 import { Frame, marginIn } from './frame.js';
 import type { Point, Rectangle, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
@@ -132,6 +133,9 @@ export abstract class PlaneElement extends LitElement {
   }
 
   /** The drawing in the plane. */
+  /** What the numbers along the area belong to. */
+  protected readonly numbered: Numbered = 'pixels';
+
   protected abstract drawing(frame: Frame): unknown;
   /** The mark of the keyboard cursor. */
   protected abstract cursorMark(at: Pixel, frame: Frame): unknown;
@@ -260,7 +264,11 @@ export abstract class PlaneElement extends LitElement {
       >
         ${this.drawing(frame)} ${cursor === null ? nothing : this.cursorMark(cursor, frame)}
       </svg>
-      <vidno-axes .frame=${frame} .pointed=${cursor ?? this.pointed}></vidno-axes>
+      <vidno-axes
+        .frame=${frame}
+        .pointed=${cursor ?? this.pointed}
+        .numbered=${this.numbered}
+      ></vidno-axes>
       ${this.above?.(frame)} ${this.targets(frame)}
       <vidno-zoom-bar
         .frame=${frame}

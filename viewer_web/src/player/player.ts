@@ -710,8 +710,8 @@ export class PlayerElement extends StageElement {
             >
               <span class="at">${view.event?.at ?? '·'}</span
               ><span
-                >${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}
-                ${this.verdict(trace, view)}</span
+                >${this.verdict(trace, view)}
+                ${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
               >
             </p>
             ${this.presenter.corner(view)}

@@ -55,7 +55,7 @@ export abstract class StageElement extends TimedElement {
   /** The current actions of keys. */
   protected abstract actions(event: KeyboardEvent): Actions;
 
-  protected checkOf(trace: Trace): Check {
+  checkOf(trace: Trace): Check {
     return this.check ?? toldCheck(trace);
   }
 

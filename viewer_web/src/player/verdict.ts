@@ -63,7 +63,7 @@ export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check):
           ...work,
         ]
       : [...work, decisionsOf(check, trace, view)];
-  return `${parts.join('; ')}.`.replace('….', '…');
+  return `${verdict.finished}: ${parts.join('; ')}.`.replace('….', '…');
 }
 
 /** Whether a colour does not tell the polygon. */

@@ -12,7 +12,7 @@ export const plane: Asker<'plane'> = {
     const next = eventAt(trace, step + 1, 'plane');
     if (next === null) return null;
     const [a, b, c, d] = next.plane;
-    const right = cellsOf([a, b, d]);
+    const right = cellsOf([a, b, d], trace.header);
     if (toNumber(c) === 0 || right === null) return null;
     return {
       kind: 'plane',

@@ -29,7 +29,8 @@ import type { Pixel } from '../picture/pixel.js';
 import { PlaneElement } from '../picture/plane.js';
 import { shapesOf } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
-import { shapesToPoint } from '../picture/still.js';
+import { labelsOf, shapesToPoint } from '../picture/still.js';
+import type { Label } from '../picture/still.js';
 import type { Scene } from '../trace/header.js';
 import './handles.js';
 
@@ -63,7 +64,8 @@ const none: readonly Shape[] = [];
 const isOfTree = ({ look }: Shape): boolean => look === 'tree' || look === 'casing tree';
 
 /** A drawing, and the values that it depends on. */
-interface SceneDrawing extends Drawing {
+interface SceneDrawing {
+  readonly shapes: readonly Shape[];
   readonly scene: Scene;
   readonly frame: Frame;
   readonly under: readonly Shape[];
@@ -93,6 +95,9 @@ export class PictureElement extends PlaneElement {
   private readonly inkers = { scene: new Inker(), tree: new Inker(), step: new Inker() };
   private ofScene: SceneDrawing | null = null;
   private ofStep: Drawing = { shapes: none, labels: [] };
+  /** The names of the polygons, and what their places depend on. */
+  private names: readonly Label[] = [];
+  private namedIn: readonly unknown[] = [];
 
   /** The shapes over the pixels, from bottom to top. */
   get shapes(): readonly Shape[] {
@@ -104,6 +109,18 @@ export class PictureElement extends PlaneElement {
     const { view, frame } = this;
     this.ofScene = this.drawingOfScene(frame);
     this.ofStep = stepDrawing(view, frame, this.over?.(frame));
+    this.placeNames(frame);
+  }
+
+  /** Moves the names that do not stand on their polygons any more, if the pixels may differ. */
+  private placeNames(frame: Frame): void {
+    const { scene } = this.view.header;
+    const { picture } = this.view.screen;
+    const now = [scene, frame, picture.version];
+    if (now.every((each, i) => each === this.namedIn[i])) return;
+    const isMoved = scene !== this.namedIn[0] || frame !== this.namedIn[1];
+    this.names = labelsOf(scene, frame, picture, isMoved ? [] : this.names);
+    this.namedIn = now;
   }
 
   /** The drawing of the scene, the same object as long as nothing about it changes. */
@@ -112,7 +129,7 @@ export class PictureElement extends PlaneElement {
     const { scene } = this.view.header;
     const under = this.under();
     const isSame = known?.scene === scene && known.frame === frame && known.under === under;
-    return isSame ? known : { scene, frame, under, ...sceneDrawing(scene, frame, under) };
+    return isSame ? known : { scene, frame, under, shapes: sceneDrawing(scene, frame, under) };
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -163,10 +180,10 @@ export class PictureElement extends PlaneElement {
 
   protected override drawing(frame: Frame): unknown {
     const { scene } = this.view.header;
-    const { ofScene, ofStep } = this;
+    const { names, ofStep } = this;
     return svg`${this.printing.now ? this.onPaper() : nothing}
       ${guard([scene], () => shapesToPoint(scene).map(drawn))}
-      ${guard([ofScene], () => labels(ofScene?.labels ?? [], frame))}
+      ${guard([names, frame], () => labels(names, frame))}
       ${labels(ofStep.labels, frame)}`;
   }
 

@@ -59,11 +59,23 @@ export function edgeNote({ vertices }: Polygon, edge: number): Note {
     ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
 }
 
-/** The right cells of a table; null if a number is not finite, since nobody could enter it. */
-export function cellsOf(values: readonly N[]): readonly string[] | null {
+/** The kernels whose numbers agree with the exact ones in the decimals that an answer needs. */
+const precise: ReadonlySet<string> = new Set(['double', 'filtered', 'exact']);
+/** A double of this size, the result of a few operations, still has these decimals. */
+const mostPrecise = 2 ** 20;
+
+/** The right cells of a table; null if a careful calculation by hand may differ from a number of the run. */
+export function cellsOf(values: readonly N[], { kernel }: Header): readonly string[] | null {
   const numbers = values.map(toNumber);
-  return numbers.every(Number.isFinite) ? numbers.map(String) : null;
+  const areSure = precise.has(kernel) && numbers.every((each) => Math.abs(each) < mostPrecise);
+  return areSure ? numbers.map(String) : null;
 }
+
+/** Two numbers to compare, as a note that shows their difference. */
+export const comparedNote =
+  (one: N, other: N): Note =>
+  ({ numbers: { shortApart } }) =>
+    shortApart(one, other).join(' ? ');
 
 /** Points as options. Their value is independent of the language, and their note is what is shown. */
 export const pointOptions = (points: readonly Point[]): readonly Option[] =>

@@ -25,10 +25,11 @@ describe('an answer', () => {
 
   it('that is a row is right only in the right order', async () => {
     const trace = await traceOf(textOf('small.zbuffer.signs.jsonl'));
-    const question = questionFrom(trace, 65, 'ael');
-    const entries = ['2.5', '2', '2.5', '-1'];
-    expect(grade(question, [['2', '0'], ['2', '0'], entries])).toEqual([true, true, true]);
-    expect(grade(question, [['2', '0'], ['0', '2'], entries])).toEqual([true, false, true]);
+    const question = questionFrom(trace, 72, 'ael');
+    const entries = ['3', '2', '5.6', '2'];
+    const graded = (order: readonly string[]) => grade(question, [['0'], ['1'], order, entries]);
+    expect(graded(['2', '1'])).toEqual([true, true, true, true]);
+    expect(graded(['1', '2'])).toEqual([true, true, false, true]);
   });
 });
 

@@ -17,6 +17,7 @@ import type { Entry, Sheet } from './sheet.js';
 import { targetsOf } from './targets.js';
 import type { View } from '../algorithm/view.js';
 import type { Way } from '../base/setting.js';
+import type { Check } from '../exactness/truth.js';
 import type { Target } from '../picture/target.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
@@ -37,6 +38,8 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
   readonly keeper: Keeper | null;
   ask: string;
   side: Side;
+  /** How the run's decisions are known to be right. */
+  checkOf(trace: Trace): Check;
   moveTo(step: number): void;
 }
 
@@ -116,11 +119,17 @@ export class Predictor {
     if (this.isOpen && !this.isForced && step !== this.current?.question.step) this.current = null;
     if (this.isForced && !this.isOpen && this.ahead === null && this.searched < length) {
       const from = Math.max(this.from, this.searched);
-      this.ahead = nextQuestion(trace, from, this.wanted, this.asked);
+      this.ahead = this.searchFrom(trace, from);
       this.searched = length;
     }
     if (this.ahead !== null && step >= this.ahead.step) this.open(this.ahead);
     this.reason(trace);
+  }
+
+  private searchFrom(trace: Trace, from: number): Question | null {
+    const check = this.host.checkOf(trace);
+    const wrong = check.is === 'found' ? check.truth.wrong : [];
+    return nextQuestion(trace, from, this.wanted, this.asked, wrong);
   }
 
   private begin(trace: Trace | null): void {
@@ -180,7 +189,7 @@ export class Predictor {
     if (trace === null) return;
     const { step = 0, until = 0 } = current?.question ?? {};
     const from = host.step < step ? host.step : Math.max(host.step, until);
-    const found = this.isForced ? this.ahead : nextQuestion(trace, from, this.wanted, this.asked);
+    const found = this.isForced ? this.ahead : this.searchFrom(trace, from);
     this.isOver = found === null || found.step > host.last;
     if (found !== null && !this.isOver) this.open(found);
   }

@@ -195,7 +195,11 @@ export interface Abouts {
     readonly row: number;
     readonly outline: readonly (readonly N[])[];
   };
-  readonly window: { readonly window: Box };
+  /** With the procedure that looks for a polygon that hides all others. */
+  readonly window: {
+    readonly window: Box;
+    readonly by: 'ProcessWindow' | 'HidingPolygon' | null;
+  };
   /** The window that was divided. */
   readonly pop: { readonly divided: Box };
   readonly relation: { readonly polygon: string; readonly window: Box };

@@ -36,17 +36,24 @@ function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
 }
 
 /** Whether the steps contain a fault, or a decision that a check found wrong. Nobody can be expected to predict those. */
-function goesWrong(trace: Trace, { step, until }: Question): boolean {
-  const wrong = ['disagree', 'fault'] as const;
-  return wrong.some((name) => stepsOf(trace, step, until, name).length > 0);
+function goesWrong(trace: Trace, { step, until }: Question, wrong: readonly number[]): boolean {
+  const told = ['disagree', 'fault'] as const;
+  return (
+    wrong.some((each) => step < each && each <= until) ||
+    told.some((name) => stepsOf(trace, step, until, name).length > 0)
+  );
 }
 
-/** The next question of some kinds at or after a step. The previous questions vary the next one. */
+/**
+ * The next question of some kinds at or after a step. The previous questions vary the next one. A later check may have
+ * found steps of the run to be wrong.
+ */
 export function nextQuestion(
   trace: Trace,
   from: number,
   wanted: ReadonlySet<Kind>,
   asked: readonly Question[],
+  wrong: readonly number[] = [],
 ): Question | null {
   const { names } = trace.timeline;
   const askers: Readonly<Partial<Record<Kind, Asker>>> = algorithmOf(trace.header).askers;
@@ -60,7 +67,7 @@ export function nextQuestion(
     for (const { kind, asker, starts } of chosen) {
       if (starts[names[step - 1] ?? 0] !== true || rests(kind, step, asked)) continue;
       const question = asker.ask(trace, step);
-      if (question !== null && !goesWrong(trace, question)) return question;
+      if (question !== null && !goesWrong(trace, question, wrong)) return question;
     }
   }
   return null;

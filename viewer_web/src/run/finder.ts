@@ -1,6 +1,7 @@
 import { findingsIn } from '../exactness/finding.js';
 import type { Finding } from '../exactness/finding.js';
 import type { Trace } from '../replay/trace.js';
+import { placedIn } from './leveled.js';
 import { Maker } from './maker.js';
 import { runs } from './options.js';
 import { sceneText } from './sketch.js';
@@ -42,6 +43,6 @@ export class Finder {
     const { wanted } = this;
     if (this.maker.isBusy || wanted === null) return;
     this.wanted = null;
-    if (made !== null) this.tell(wanted, findingsIn(made));
+    if (made !== null) this.tell(wanted, placedIn(wanted.timeline.names, findingsIn(made)));
   }
 }

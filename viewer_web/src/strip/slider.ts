@@ -228,6 +228,11 @@ const sliderStyle = css`
     background: #0b7a4b;
     pointer-events: none;
   }
+  .found.wrong {
+    bottom: 5px;
+    height: 8px;
+    background: #c1121f;
+  }
   .found.narrow {
     bottom: 5px;
     background: #b25e00;

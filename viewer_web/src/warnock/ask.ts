@@ -14,6 +14,7 @@ import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import {
   cellsOf,
+  comparedNote,
   depthOptions,
   edgeNote,
   mostOptions,
@@ -31,7 +32,7 @@ import type { Trace } from '../replay/trace.js';
 import type { Warnock } from '../replay/values.js';
 import { cases } from '../time/course.js';
 import { corners as places, hasThreeLists } from '../trace/events.js';
-import type { Event } from '../trace/events.js';
+import type { Event, Method } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
 import { cornerAt, ownersOf } from './naming.js';
 import { shownIn } from './state.js';
@@ -435,6 +436,38 @@ function hidingIn(
   return owner === undefined || others.length > 0 || background ? null : owner;
 }
 
+/** The procedure that looks for a polygon that hides all others; null if the method has none. */
+function seekerOf(method: Method): 'ProcessWindow' | 'HidingPolygon' | null {
+  if (hasThreeLists(method)) return 'HidingPolygon';
+  return method === 'warnock-simplest' ? null : 'ProcessWindow';
+}
+
+/**
+ * The steps that show why a polygon is found to hide all others, or why none is: which polygons surround the window, and
+ * the numbers of the comparisons by which one of them would have to be the nearest at each corner, up to the first that
+ * ends differently.
+ */
+function foundBy(trace: Trace, step: number, until: number): readonly { readonly step: number }[] {
+  const found = stepsOf(trace, step, until, 'nearer');
+  const compared = stepsOf(trace, step, until, 'compare').filter(
+    ({ event }) => event.at === 'PW6' || event.at === 'HP4',
+  );
+  const first = found[0]?.event.polygon; // at each corner it is the nearest so far, whatever its depth
+  const telling = compared.filter(({ event: { polygon, corner, nearer } }) => {
+    const { k = 0, corners: at = [] } =
+      found.find(({ event }) => event.polygon === polygon)?.event ?? {};
+    if (polygon === first || corner === undefined) return false;
+    return k === 4 || k === 0 ? true : nearer === at.includes(corner);
+  });
+  return [
+    ...stepsOf(trace, step, until, 'mark'),
+    ...telling,
+    ...found,
+    ...stepsOf(trace, step, until, 'uncover'),
+    ...stepsOf(trace, step, until, 'cover'),
+  ];
+}
+
 /** Which case is this window? */
 export const window: Asker<'window'> = {
   from: 'windows',
@@ -442,6 +475,8 @@ export const window: Asker<'window'> = {
   ask(trace, step) {
     const { detail, scene } = trace.header;
     const isCoarse = detail === 'windows'; // lists then never get shorter than the first one
+    const by = seekerOf(trace.header.method);
+    if (isCoarse && by === null) return null; // only the case would be asked
     if (isCoarse && scene.polygons.length > mostOptions) return null;
     const pop = eventAt(trace, step, 'pop');
     const decide = nextOf(trace, step, 'decide', 'pop');
@@ -457,7 +492,6 @@ export const window: Asker<'window'> = {
     if (hiding === null) return null;
 
     const cover = covers.slice(-1);
-    const uncovers = stepsOf(trace, cover[0]?.step ?? until, until, 'uncover').slice(0, 1);
     const summary = stepsOf(trace, step, until, 'summary');
     const discards = [
       ...stepsOf(trace, step, until, 'discard'),
@@ -471,22 +505,23 @@ export const window: Asker<'window'> = {
       decidedBy: (id) =>
         discards.find(({ event }) => event.polygon === id)?.step ?? summary.at(-1)?.step,
     };
+    const hides: Part = {
+      asks: 'hides',
+      options: optionsOf([...shown, none]),
+      right: [hiding],
+      decidedBy: () => cover[0]?.step,
+    };
     return {
       kind: 'window',
       step,
       until,
-      about: { window: pop.window },
+      about: { window: pop.window, by },
       parts: [
         ...(isCoarse ? [] : [stay]),
-        {
-          asks: 'hides',
-          options: optionsOf([...shown, none]),
-          right: [hiding],
-          decidedBy: () => cover[0]?.step,
-        },
+        ...(by === null ? [] : [hides]),
         { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
       ],
-      because: inOrder(discards, cover, uncovers, summary, [decide]),
+      because: inOrder(discards, foundBy(trace, step, until), summary, [decide]),
       things: [windowThing(pop.window)],
     };
   },
@@ -575,7 +610,7 @@ export const depth: Asker<'depth'> = {
     const next = eventAt(trace, step + 1, 'depth');
     const plane = next === null ? null : planeIn(trace, next.polygon);
     if (next === null || plane === null) return null;
-    const right = cellsOf([next.z]);
+    const right = cellsOf([next.z], trace.header);
     const isLevel = toNumber(plane[0]) === 0 && toNumber(plane[1]) === 0;
     if (isLevel || right === null) return null;
     const { polygon, point } = next;
@@ -600,7 +635,7 @@ export const edgeDepth: Asker<'edgeDepth'> = {
     if (eventAt(trace, step + 1, 'edge_depth') === null) return null;
     const result = nextOf(trace, step, 'depth', 'call', 'pop');
     const polygon = trace.header.scene.byId.get(result?.event.polygon ?? '');
-    const right = result === null ? null : cellsOf([result.event.z]);
+    const right = result === null ? null : cellsOf([result.event.z], trace.header);
     if (result === null || polygon === undefined || right === null) return null;
     const edges = stepsOf(trace, step, result.step, 'edge_depth');
     return {
@@ -662,7 +697,7 @@ export const corners: Asker<'corners'> = {
           asks: 'nearer',
           options: all.map(({ place, z, against }) => ({
             value: place,
-            note: ({ numbers: { short } }) => `${short(z)} ? ${short(against)}`,
+            note: comparedNote(z, against),
           })),
           right: nearer.event.corners,
           decidedBy: (place) => compared.find(({ event }) => event.corner === place)?.step,

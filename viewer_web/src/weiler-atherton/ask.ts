@@ -389,7 +389,7 @@ export const painted: Asker<'painted'> = {
     const next = eventAt(trace, step + 1, 'order');
     if (next === null) return null;
     const { polygon, other, point, z, otherZ, order } = next;
-    const right = cellsOf([z, otherZ]);
+    const right = cellsOf([z, otherZ], trace.header);
     if (right === null) return null;
     return {
       kind: 'painted',

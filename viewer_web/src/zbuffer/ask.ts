@@ -1,13 +1,26 @@
 import { pixelThing, polygonThing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 import { texts } from '../i18n/index.js';
+import { toNumber } from '../language/words.js';
 import { box } from '../picture/mark.js';
 import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
-import { cellsOf, edgeNote, mostOptions, relationOf, relationOptions } from '../predict/asker.js';
+import {
+  cellsOf,
+  comparedNote,
+  edgeNote,
+  mostOptions,
+  relationOf,
+  relationOptions,
+} from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import type { Fact } from '../predict/facts.js';
+import { tolerance } from '../predict/grade.js';
 import { columnsOf } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
+
+/** Whether there is only one order from left to right. Edges that begin at one place have several right orders. */
+const isOrdered = (xs: readonly number[]): boolean =>
+  xs.every((x, i) => i === 0 || x - (xs[i - 1] ?? NaN) > tolerance);
 
 /** What is the active edge list on the next scanline? */
 export const ael: Asker<'ael'> = {
@@ -40,7 +53,13 @@ export const ael: Asker<'ael'> = {
     };
     const stepped = stepsOf(trace, step, until, 'ael_step');
     const then = trace.timeline.seek(until).values.zbuffer?.ael ?? [];
-    const cells = cellsOf(then.flatMap(({ x, until: last }) => [x, last]));
+    const cells = cellsOf(
+      then.flatMap(({ x, until: last }) => [x, last]),
+      trace.header,
+    );
+    const isOne = isOrdered(then.map(({ x }) => toNumber(x)));
+    // Without an order there is too little to answer about two edges.
+    if (!isOne && active.length + coming.length < 3) return null;
     const entries: Part | null = cells && {
       asks: 'entries',
       options: [],
@@ -49,6 +68,11 @@ export const ael: Asker<'ael'> = {
         const edge = then[Math.floor(at / columnsOf({ asks: 'entries' }).length)]?.edge;
         return [...added, ...stepped].find(({ event }) => event.edge === edge)?.step;
       },
+    };
+    const order: Part = {
+      asks: 'order',
+      options: [...active, ...coming],
+      right: sort.event.edges.map(String),
     };
     return {
       kind: 'ael',
@@ -63,8 +87,7 @@ export const ael: Asker<'ael'> = {
           right: added.map(({ event }) => String(event.edge)),
           decidedBy: (edge) => added.find(({ event }) => String(event.edge) === edge)?.step,
         },
-        { asks: 'order', options: [...active, ...coming], right: sort.event.edges.map(String) },
-        ...(entries ? [entries] : []),
+        ...(isOne ? [order, ...(entries ? [entries] : [])] : []),
       ],
       because: inOrder(dropped, stepped, stepsOf(trace, step, until, 'scanline'), added, [sort]),
       things: [polygonThing(polygon.id)],
@@ -104,7 +127,7 @@ export const pixels: Asker<'pixels'> = {
           options: asked.map(({ x, z, stored }) => ({
             value: String(x),
             places: [box('pointed', [x, one.y, 1, 1])],
-            note: ({ numbers: { short } }) => `${short(z)} ? ${short(stored)}`,
+            note: comparedNote(z, stored),
           })),
           right: asked.filter(({ shown }) => shown).map(({ x }) => String(x)),
           decidedBy: (column) => asked.find(({ x }) => String(x) === column)?.step,

@@ -57,10 +57,13 @@ export const exact = {
     title: 'Decisions worth looking at',
     count: (count: number): string => (count === 1 ? '1 decision' : `${count} decisions`),
     withNumbers: 'include equal numbers',
+    within:
+      'This level of detail does not show all of these decisions. Those with ⊃ lead to the step that contains them; trace the run at level signs to see them.',
     more: 'Show more',
     polygons: 'Polygons',
     columns: { step: 'Step', kind: 'Kind', ulps: 'Ulps from zero' },
     kinds: { wrong: 'wrong', point: 'point is off', zero: 'exactly zero', narrow: 'narrow' },
+    narrowBy: (ulps: number): string => `narrow: at most ${ulps} ulps from zero`,
     coincidences: {
       point_on_line: 'point on a line',
       equal_depths: 'equal depths',

@@ -1,5 +1,5 @@
 import type { Abouts } from '../../predict/question.js';
-import { point, short, windowText } from '../../language/words.js';
+import { inFull, point, short, windowText } from '../../language/words.js';
 import { places } from './page.js';
 
 const sides = ['top', 'left', 'bottom', 'right'];
@@ -53,31 +53,36 @@ export const predict = {
     split: ({ polygon, vertex, window }: Abouts['split']): string =>
       `VertexSplit: vertex ${vertex + 1} of ${polygon} lies in the window ${windowText(window)}. The window is split at the pixel boundaries nearest to the vertex, provided that one of them is inside. If two boundaries are equally near, the lesser is taken.`,
     trial: ({ polygon, edge, window }: Abouts['trial']): string =>
-      `TrialFunction: ${polygon} and the window ${windowText(window)}. f is positive on one side of an edge’s line and negative on the other; edge ${edge} is the first.`,
+      `TrialFunction: ${polygon} and the window ${windowText(window)}. f is positive to the right of an edge, as one walks along it, and negative to the left; edge ${edge} is the first. An edge that only touches the window does not meet it.`,
     depth: ({ polygon, point: at, plane }: Abouts['depth']): string =>
-      `Depth: ${polygon} at ${point(at)}. In its plane a x + b y + c z + d = 0, a, b, c and d are ${plane.map(short).join('; ')}.`,
+      `Depth: ${polygon} at ${point(at)}. In its plane a x + b y + c z + d = 0, a, b, c and d are ${plane.map(inFull).join('; ')}.`,
     edgeDepth: ({ polygon, point: at }: Abouts['edgeDepth']): string =>
-      `EdgeDepth: ${polygon} is edge-on, and ${point(at)} lies on its line.`,
+      `EdgeDepth: ${polygon} is edge-on, and ${point(at)} lies on its line. The greatest depth of its edges there counts.`,
     fill: ({ row, outline }: Abouts['fill']): string =>
       `FillPolygon: row ${row} of the outline ${outline.map(point).join(' ')}. A pixel is covered if its centre lies between the ends of the row or on one.`,
-    window: ({ window }: Abouts['window']): string =>
-      `What becomes of the window ${windowText(window)}?`,
+    window: ({ window, by }: Abouts['window']): string => {
+      const examined = `The window ${windowText(window)} is examined.`;
+      if (by === null) return examined;
+      const sees =
+        by === 'ProcessWindow' ? `${by} sets hasSurround for a polygon` : `${by} finds a polygon`;
+      return `${examined} ${sees} only if it surrounds the window and the plane of no other is nearer at the four corners, not even where that other does not reach.`;
+    },
     pop: ({ divided }: Abouts['pop']): string =>
       `The window ${windowText(divided)} was split, and its parts were pushed.`,
     relation: ({ polygon, window }: Abouts['relation']): string =>
-      `How does ${polygon} lie relative to the window ${windowText(window)}?`,
+      `Relation: ${polygon} and the window ${windowText(window)}. An edge that only touches the window does not meet it.`,
     ray: ({ polygon, window }: Abouts['ray']): string =>
-      `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
+      `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right. A vertex on the ray counts with the edge that leaves the ray there: once if the outline passes to the other side, twice if it returns to the same side.`,
     octants: ({ polygon, window }: Abouts['octants']): string =>
-      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered clockwise; the upper left one is 0.`,
+      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered clockwise; the upper left one is 0. A point on the line of a side lies beyond it, and clockwise turns are positive.`,
     corners: ({ polygon }: Abouts['corners']): string =>
-      `The depths of ${polygon} at the corners are known; beside each is the nearest so far.`,
+      `The depths of ${polygon} at the corners are known; beside each is the nearest so far. An equal depth is not nearer.`,
     inside: ({ polygon, point: at, corner }: Abouts['inside']): string =>
-      `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}.`,
+      `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}. f is positive to the right of an edge, as one walks along it. A point on the outline counts as inside. Two opposite signs end the test.`,
     point: ({ point: at }: Abouts['point']): string =>
-      `What is seen at ${point(at)}, the centre of the window?`,
+      `PointColor: ${point(at)}, the centre of the window. A polygon covers the points of its outline, too; the first of equally near ones counts.`,
     clip: ({ polygon, side }: Abouts['clip']): string =>
-      `PolygonClip: ${polygon} and side ${side} of 4, the ${sides[side - 1] ?? ''} one.`,
+      `PolygonClip: ${polygon} and side ${side} of 4, the ${sides[side - 1] ?? ''} one. It clips by the whole line of the side. A vertex on that line stays and is no crossing.`,
     ael: ({ polygon, row }: Abouts['ael']): string =>
       row === null
         ? `What is the AEL of ${polygon} on its first scanline?`
@@ -93,11 +98,11 @@ export const predict = {
     walk: ({ polygon, clip, from }: Abouts['walk']): string =>
       `RegionClip: walk round the part of ${polygon} inside ${clip}, from point ${from}, where the outline of ${polygon} enters. The points of that outline come first, then the other vertices of ${clip}, each in the order of the walk.`,
     behind: ({ clip }: Abouts['behind']): string =>
-      `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
+      `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices; of equal depths the first polygon of the scene is in front.`,
     stack: ({ clip, nearer }: Abouts['stack']): string =>
       `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than ${clip}.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }: Abouts['pixels']): string =>
-      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one.`,
+      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one. An equal depth is not painted.`,
     flags: ({ curve }: Abouts['flags']): string =>
       `Visibility: curve ${curve} over the next columns. Beside each are its height, which grows downward, and the horizons.`,
     sideEdge: ({ curve, from, to }: Abouts['sideEdge']): string =>
@@ -119,32 +124,32 @@ export const predict = {
     z: 'What is the depth?',
     bothDepths: 'What are the depths?',
     nearerThere: 'z against z′:',
-    spanning: 'Which edges have the point between their ends?',
+    spanning: 'Which edges have the point between their ends, or at one?',
     covered: 'Which of these pixels are covered?',
     popped: 'Which window is popped next?',
-    case: 'Which case is it?',
-    stay: 'Which polygons stay in its list?',
-    hides: 'Which one hides all others in it?',
+    case: 'Which case does Warnock’s algorithm take?',
+    stay: 'Which polygons stay in its list? Only their boxes are tested.',
+    hides: 'Which polygon is found to hide all others?',
     nearer: 'At which corners is it nearer?',
     cornerDepths: 'Its depth there against the nearest so far:',
     inside: 'Does the point lie in it?',
     signs: 'Which signs are found, edge by edge, until the answer is known?',
-    covers: 'Which polygons cover the point?',
-    wins: 'Which one is seen?',
+    covers: 'Which polygons cover the point, by SurroundTest?',
+    wins: 'Which one does PointColor find?',
     depth: 'Which depth decides?',
-    cut: 'Which edges cross this side?',
+    cut: 'Which edges cross the line of this side?',
     list: 'Which vertices does the new list have, in order?',
     leave: 'Which edges leave the list?',
     enter: 'Which edges enter it?',
     order: 'Which edges does it then have, from left to right?',
     entries: 'What do its entries hold then, from left to right?',
-    shown: 'In which of these columns is it seen?',
-    lies: 'How does it lie?',
+    shown: 'In which of these columns does ShowLine paint it?',
+    lies: 'What does Relation return?',
     test: 'Which line decides?',
     crossed: 'Which edges are counted?',
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
-    pierced: 'Which polygons are split?',
+    pierced: 'Which polygons does SplitPiercing split?',
     pieces: 'How many pieces are there now in all?',
     first: 'A piece of which polygon is the first?',
     within: 'Which of them have a part inside?',
@@ -201,7 +206,7 @@ export const predict = {
   },
   crossing: 'a crossing',
   area: 'Area',
-  noPolygon: { hides: 'none', wins: 'the background' },
+  noPolygon: { hides: 'none is found', wins: 'the background' },
   relations: { '>': 'greater', '=': 'equal', '<': 'less' },
   lies: {
     outside: 'outside',
@@ -212,7 +217,7 @@ export const predict = {
   /** The conditions that the lines of the relation test examine. */
   tests: {
     RE1: 'the box lies outside',
-    RE2: 'the box lies inside',
+    RE2: 'the box lies strictly inside',
     RE3: 'an edge meets the window',
     RE4: 'containment',
   },

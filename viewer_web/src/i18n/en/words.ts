@@ -20,6 +20,8 @@ export const words = {
 };
 
 export const verdict = {
+  /** Begins the result, in the first sentence that a visitor reads. */
+  finished: 'Finished',
   pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
   /** The same where polygons share a colour, so that a right colour may be that of a wrong polygon. */

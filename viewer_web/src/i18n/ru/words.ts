@@ -21,6 +21,7 @@ export const words: WordTexts = {
 };
 
 export const verdict: VerdictTexts = {
+  finished: 'Готово',
   pixels: (n) => count(n, { one: 'пиксель', few: 'пикселя', other: 'пикселей' }),
   allRight: 'все как в точной арифметике',
   someWrong: (n) => `не как в точной арифметике: ${n}`,
