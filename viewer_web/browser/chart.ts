@@ -54,7 +54,13 @@ export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
   page.locator('vidno-points tbody tr').evaluateAll((all) =>
     all.map((row) => [
       row.querySelector('button')?.textContent.trim() ?? '',
-      ...[...row.querySelectorAll('td')].map((cell) => cell.firstChild?.textContent?.trim() ?? ''),
+      ...[...row.querySelectorAll('td')].map((cell) =>
+        [...cell.childNodes]
+          .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
+          .map(({ textContent }) => textContent)
+          .join('')
+          .trim(),
+      ),
     ]),
   );
 
@@ -96,7 +102,7 @@ export function overlapping(boxes: readonly Box[]): readonly string[] {
 
 /** The middles of the symbols of points, on the page. */
 export const dots = (page: Page, of: 'main' | 'added'): Promise<readonly (readonly [number, number])[]> =>
-  page.locator(`vidno-plot .canvas [aria-label="${of} points"] path`).evaluateAll((all) =>
+  page.locator(`vidno-plot .canvas [aria-label="${of} points"] > *`).evaluateAll((all) =>
     all.map((dot) => {
       const { left, right, top, bottom } = dot.getBoundingClientRect();
       return [(left + right) / 2, (top + bottom) / 2] as const;

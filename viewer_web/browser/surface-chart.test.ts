@@ -91,7 +91,7 @@ describe('the chart of surfaces', () => {
       'lang=en&view=surfaces/A peak between two samples&cost=samples',
       surfaceText,
     );
-    const advice = page.locator('vidno-advice');
+    const advice = page.locator('vidno-advice p');
     expect(await advice.innerText()).toMatch(/filtered, tolerance 4 px is the cheapest right run/u);
     await page.locator('vidno-languages [lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');

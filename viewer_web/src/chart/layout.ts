@@ -72,7 +72,7 @@ function linesOfNames(group: readonly Point[], shown: Shown, most: number): read
     cheapest !== null &&
     group.some(({ setting }) => settingId(setting) === settingId(cheapest.setting));
   const names = [...kernels].flatMap(([name, of]) =>
-    wrapped(`${name} · ${of.join(', ')}`, most),
+    wrapped(`${name} ·\u00a0${of.join(', ')}`, most),
   );
   return [
     ...names.map((text) => ({ text, bold: false })),
@@ -134,7 +134,7 @@ export function layoutOf(
     new ErrorAxis(
       visible.map(({ error }) => error),
       least,
-      { below, word: font * 1.9, tick: font * 1.9 },
+      { below, word: font * 2.3, tick: font * 1.9 },
       inner,
     );
   const ticks = axisAbove(0).ticks().map(({ value }) => widthOf(errorTick(value, shown)));
@@ -199,7 +199,10 @@ export function layoutOf(
     top,
     bottom,
     costs,
-    costTicks: logTicks(costs, all, font * 4.2),
+    // A number at the very end would be cut off.
+    costTicks: logTicks(costs, all, font * 4.2).filter(
+      (value) => share(value, costs) * all < all - font * 1.8,
+    ),
     axis,
     errorTicks: axis.ticks(),
     heightOf,

@@ -75,7 +75,7 @@ function frontLine(points: readonly Point[], { axis, costs, heightOf }: Layout):
 }
 
 /** How strongly the main points are drawn beside an added series. */
-const faded = 0.3;
+const faded = 0.4;
 
 function dots(points: readonly Point[], layout: Layout, style: Style): readonly Markish[] {
   const { radius: r, heightOf: y } = layout;

@@ -30,6 +30,9 @@ export class ChoicesElement extends LitElement {
         float: left;
         color: var(--soft);
       }
+      select {
+        max-width: 13rem;
+      }
       .segments {
         display: flex;
         flex-wrap: wrap;

@@ -54,6 +54,7 @@ export class PlotElement extends LitElement {
           display: none;
         }
         .printed {
+          --line: #d8d8d8;
           display: block;
         }
       }
