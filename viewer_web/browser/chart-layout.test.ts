@@ -23,21 +23,24 @@ describe('the layout of the chart', () => {
     (['en', 'ru'] as const).map((language) => ({ ...chart, language })),
   );
 
-  it.each(each)('of $of in $language is never too wide, and no two names overlap', async (chart) => {
-    const { json, views, errors, language } = chart;
-    const { page, faults } = await openChart(browser, `lang=${language}`, json);
-    for (const width of [390, 1024, 1440]) {
-      await page.setViewportSize({ width, height: width < 500 ? 800 : 1080 });
-      await settled(page);
-      for (const view of views) {
-        await page.locator('select[name=view]').selectOption(view);
-        const found = await eachOf(page, errors);
-        const right = errors.map((error) => ({ error, across: width, outside: [], covered: [] }));
-        expect(found, `${view} at ${width} px`).toEqual(right);
+  it.each(each)(
+    'of $of in $language is never too wide, and no two names overlap',
+    async (chart) => {
+      const { json, views, errors, language } = chart;
+      const { page, faults } = await openChart(browser, `lang=${language}`, json);
+      for (const width of [390, 1024, 1440]) {
+        await page.setViewportSize({ width, height: width < 500 ? 800 : 1080 });
+        await settled(page);
+        for (const view of views) {
+          await page.locator('select[name=view]').selectOption(view);
+          const found = await eachOf(page, errors);
+          const right = errors.map((error) => ({ error, across: width, outside: [], covered: [] }));
+          expect(found, `${view} at ${width} px`).toEqual(right);
+        }
       }
-    }
-    expect(faults).toEqual([]);
-  });
+      expect(faults).toEqual([]);
+    },
+  );
 });
 
 interface Found {
@@ -97,7 +100,12 @@ const eachOf = (page: Page, errors: readonly string[]): Promise<readonly Found[]
           })
           .map(([b]) => `${a} | ${b}`),
       );
-      found.push({ error, across, outside: outside.map(({ textContent }) => textContent), covered });
+      found.push({
+        error,
+        across,
+        outside: outside.map(({ textContent }) => textContent),
+        covered,
+      });
     }
     return found;
   }, errors);

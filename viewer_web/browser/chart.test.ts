@@ -70,7 +70,9 @@ describe('the chart', () => {
       '#lang=en&view=ordinary%2FTwo+walls&cost=operations&error=area',
     );
     const found = await rows(page);
-    expect(found.map(([, cost]) => cost)).toEqual(expected(sample.scenes[0]).map(([, cost]) => cost));
+    expect(found.map(([, cost]) => cost)).toEqual(
+      expected(sample.scenes[0]).map(([, cost]) => cost),
+    );
     const { page: again } = await openChart(browser, new URL(page.url()).hash.slice(1));
     await plot(again).waitFor();
     expect(await rows(again)).toEqual(found);
@@ -135,17 +137,19 @@ describe('the chart', () => {
     await page.locator('vidno-points summary').click();
     const wrong = await page
       .locator('vidno-points tbody tr')
-      .evaluateAll((all) => all.map((row) => !/^0%/u.test(row.lastElementChild?.textContent.trim() ?? '')));
+      .evaluateAll((all) =>
+        all.map((row) => !/^0%/u.test(row.lastElementChild?.textContent.trim() ?? '')),
+      );
     const points = await dots(page, 'main');
     expect(points.length).toBe(wrong.length);
     expect(points.length).toBeLessThanOrEqual(12);
     const divide = await page
-      .locator('vidno-plot .canvas [aria-label=divide] line')
+      .locator('vidno-plot .canvas [aria-description=divide] line')
       .evaluate((line) => line.getBoundingClientRect().top);
     const below = points.map(([, y]) => y).filter((y) => y > divide);
     expect(below.length).toBe(wrong.filter((is) => !is).length);
     expect(Math.max(...below) - Math.min(...below)).toBeLessThan(1);
-    expect(await page.locator('vidno-plot .canvas [aria-label=cheapest] > *').count()).toBe(1);
+    expect(await page.locator('vidno-plot .canvas [aria-description=cheapest] > *').count()).toBe(1);
     expect(await page.locator('vidno-advice tbody tr').count()).toBe(3);
     expect(faults).toEqual([]);
   });
@@ -154,7 +158,7 @@ describe('the chart', () => {
     const { page, faults } = await openChart(browser, 'lang=en&view=ordinary/Two walls');
     await plot(page).waitFor();
     const strength = (of: string): Promise<string | null> =>
-      page.locator(`vidno-plot .canvas [aria-label="${of} points"]`).getAttribute('opacity');
+      page.locator(`vidno-plot .canvas [aria-description="${of} points"]`).getAttribute('opacity');
     expect(await dots(page, 'added')).toEqual([]);
     expect(await strength('main')).toBeNull();
     await page.locator('select[name=series]').selectOption('warnock-bits');
@@ -206,9 +210,9 @@ describe('the chart', () => {
     // There are 96 pixels to the inch.
     expect(width).toBeCloseTo((8 / 2.54) * 96, 0);
     expect(overlapping(await textsIn(page, '.printed'))).toEqual([]);
-    const colors = await paper.locator('[aria-label="main points"] > *').evaluateAll((all) => [
-      ...new Set(all.map((dot) => getComputedStyle(dot).stroke)),
-    ]);
+    const colors = await paper
+      .locator('[aria-description="main points"] > *')
+      .evaluateAll((all) => [...new Set(all.map((dot) => getComputedStyle(dot).stroke))]);
     expect(colors).toEqual(['rgb(0, 0, 0)']);
     expect(await page.locator('vidno-choices').isVisible()).toBe(false);
     expect(faults).toEqual([]);

@@ -47,7 +47,8 @@ export async function openChart(
   return opened;
 }
 
-export const plot = (page: Page): ReturnType<Page['locator']> => page.locator('vidno-plot .canvas svg');
+export const plot = (page: Page): ReturnType<Page['locator']> =>
+  page.locator('vidno-plot .canvas svg');
 
 /** The cells of the table of the points, row by row. */
 export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
@@ -101,8 +102,11 @@ export function overlapping(boxes: readonly Box[]): readonly string[] {
 }
 
 /** The middles of the symbols of points, on the page. */
-export const dots = (page: Page, of: 'main' | 'added'): Promise<readonly (readonly [number, number])[]> =>
-  page.locator(`vidno-plot .canvas [aria-label="${of} points"] > *`).evaluateAll((all) =>
+export const dots = (
+  page: Page,
+  of: 'main' | 'added',
+): Promise<readonly (readonly [number, number])[]> =>
+  page.locator(`vidno-plot .canvas [aria-description="${of} points"] > *`).evaluateAll((all) =>
     all.map((dot) => {
       const { left, right, top, bottom } = dot.getBoundingClientRect();
       return [(left + right) / 2, (top + bottom) / 2] as const;

@@ -25,7 +25,11 @@ function shownWith(
   hash = '',
   fields: Parameters<typeof sceneOf>[1] = {},
 ): Shown {
-  const shown = shownOf({ ...sample, scenes: [sceneOf(runs, fields)] }, parseChoice(hash), language);
+  const shown = shownOf(
+    { ...sample, scenes: [sceneOf(runs, fields)] },
+    parseChoice(hash),
+    language,
+  );
   if (shown === null) throw new Error('nothing is shown');
   return shown;
 }

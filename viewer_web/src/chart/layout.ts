@@ -101,7 +101,8 @@ function namesOfAdded(shown: Shown, place: Place, apart: number): readonly Name[
     if (first === undefined) return [];
     const texts = [...new Set(group.map((point) => addedText(point, shown)))];
     const [least, last] = [texts[0] ?? '', texts.at(-1) ?? ''];
-    const text = first.setting.knob === null ? texts.join(', ') : least === last ? least : `${least}–${last}`;
+    const text =
+      first.setting.knob === null ? texts.join(', ') : least === last ? least : `${least}–${last}`;
     return [{ ...place(first), lines: [{ text, bold: false }] }];
   });
 }
@@ -137,7 +138,9 @@ export function layoutOf(
       { below, word: font * 2.3, tick: font * 1.9 },
       inner,
     );
-  const ticks = axisAbove(0).ticks().map(({ value }) => widthOf(errorTick(value, shown)));
+  const ticks = axisAbove(0)
+    .ticks()
+    .map(({ value }) => widthOf(errorTick(value, shown)));
   const left = Math.ceil((Math.max(...ticks) + 0.7) * font);
   const all = Math.max(width - left - font * 0.5, 1);
   const ends = costDomain(visible.map(({ cost }) => cost));

@@ -22,10 +22,7 @@ const isOfCourse = ({ method, knob }: Setting): boolean =>
 /** For each kernel, the two methods of the course, and the fastest right run of all others. */
 function ofScenes(points: readonly Point[]): readonly Point[] {
   const others = points.filter(({ setting }) => !isOfCourse(setting) && setting.knob === null);
-  return [
-    ...points.filter(({ setting }) => isOfCourse(setting)),
-    ...rightOnes(others).slice(0, 1),
-  ];
+  return [...points.filter(({ setting }) => isOfCourse(setting)), ...rightOnes(others).slice(0, 1)];
 }
 
 /** For each kernel, the samples of the file and one on each column; then the cheapest right run with fewer, by each knob. */

@@ -32,13 +32,35 @@ describe('the picture of a run', () => {
   });
 
   it('of a surface has lines', () => {
-    const drawn = { width: 9, height: 5, shown: [[[0, 1, 8, 1]], [[0, 1, 4, 2, 8, 1], [0, 4, 8, 4]]] };
+    const drawn = {
+      width: 9,
+      height: 5,
+      shown: [
+        [[0, 1, 8, 1]],
+        [
+          [0, 1, 4, 2, 8, 1],
+          [0, 4, 8, 4],
+        ],
+      ],
+    };
     const pair = pairOf(surfaceOf([], { pictures: drawn }), curveRunOf({ picture: 1 }));
     expect(pair?.own.lines).toEqual([
-      [[0, 1], [4, 2], [8, 1]],
-      [[0, 4], [8, 4]],
+      [
+        [0, 1],
+        [4, 2],
+        [8, 1],
+      ],
+      [
+        [0, 4],
+        [8, 4],
+      ],
     ]);
-    expect(pair?.right.lines).toEqual([[[0, 1], [8, 1]]]);
+    expect(pair?.right.lines).toEqual([
+      [
+        [0, 1],
+        [8, 1],
+      ],
+    ]);
   });
 
   it.each([

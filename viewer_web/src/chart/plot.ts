@@ -29,9 +29,9 @@ const cost = (point: Point): number => point.cost;
 /** The line that divides right from wrong, and that of the right points. */
 function lines({ axis }: Layout): readonly Markish[] {
   return [
-    rect([{}], { y1: 0, y2: axis.divide, fill: 'var(--right-wash)', ariaLabel: 'right' }),
-    ruleY([axis.divide], { stroke: 'var(--ink)', strokeWidth: 1.5, ariaLabel: 'divide' }),
-    ruleY([axis.right], { stroke: 'var(--soft)', strokeWidth: 1, ariaLabel: 'zero' }),
+    rect([{}], { y1: 0, y2: axis.divide, fill: 'var(--right-wash)', ariaDescription: 'right' }),
+    ruleY([axis.divide], { stroke: 'var(--ink)', strokeWidth: 1.5, ariaDescription: 'divide' }),
+    ruleY([axis.right], { stroke: 'var(--soft)', strokeWidth: 1, ariaDescription: 'zero' }),
   ];
 }
 
@@ -71,7 +71,12 @@ function frontLine(points: readonly Point[], { axis, costs, heightOf }: Layout):
   const places = steps.map((point) => [point.cost, heightOf(point)] as const);
   if (first !== undefined) places.unshift([first.cost, axis.height]);
   if (last !== undefined) places.push([costs[1], heightOf(last)]);
-  return line(places, { curve: 'step-after', stroke: 'var(--ink)', strokeOpacity: 0.4, strokeWidth: 4 });
+  return line(places, {
+    curve: 'step-after',
+    stroke: 'var(--ink)',
+    strokeOpacity: 0.4,
+    strokeWidth: 4,
+  });
 }
 
 /** How strongly the main points are drawn beside an added series. */
@@ -81,7 +86,7 @@ function dots(points: readonly Point[], layout: Layout, style: Style): readonly 
   const { radius: r, heightOf: y } = layout;
   return [
     dot(points, {
-      ariaLabel: `${style.name} points`,
+      ariaDescription: `${style.name} points`,
       x: cost,
       y,
       r: { value: ({ setting }: Point) => look(setting).scale * r, scale: null },
@@ -104,13 +109,19 @@ interface Style {
 /** The names, each with its stem. */
 function namesOf({ texts, stems }: Names, layout: Layout, { name, opacity }: Style): Markish[] {
   const { left, top, font } = layout;
-  const across = (of: (item: Stem & Placed) => number): Channel => ({ value: (item: Stem & Placed) => of(item) + left, scale: null });
-  const down = (of: (item: Stem & Placed) => number): Channel => ({ value: (item: Stem & Placed) => of(item) + top, scale: null });
+  const across = (of: (item: Stem & Placed) => number): Channel => ({
+    value: (item: Stem & Placed) => of(item) + left,
+    scale: null,
+  });
+  const down = (of: (item: Stem & Placed) => number): Channel => ({
+    value: (item: Stem & Placed) => of(item) + top,
+    scale: null,
+  });
   const written = (bold: boolean, end: Placed['end']): Markish =>
     text(
       texts.filter((each) => each.bold === bold && each.end === end),
       {
-        ariaLabel: `${name} names`,
+        ariaDescription: `${name} names`,
         x: across(({ x }) => x),
         y: down(({ y }) => y),
         text: 'text',
@@ -123,7 +134,7 @@ function namesOf({ texts, stems }: Names, layout: Layout, { name, opacity }: Sty
     );
   return [
     link(stems, {
-      ariaLabel: `${name} stems`,
+      ariaDescription: `${name} stems`,
       x1: across(({ x }) => x),
       x2: across(({ x }) => x),
       y1: down(({ from }) => from),
@@ -155,7 +166,7 @@ function marks(shown: Shown, layout: Layout, color: Style['color']): readonly Ma
     dot(
       main.filter(({ setting }) => settingId(setting) === id),
       {
-        ariaLabel: 'cheapest',
+        ariaDescription: 'cheapest',
         x: cost,
         y,
         r: radius * 2,
@@ -165,9 +176,17 @@ function marks(shown: Shown, layout: Layout, color: Style['color']): readonly Ma
       },
     ),
     ...(chosenSeries === front
-      ? [frontLine(shown.points.filter((point) => point.front), layout)]
+      ? [
+          frontLine(
+            shown.points.filter((point) => point.front),
+            layout,
+          ),
+        ]
       : [
-          line(turned.filter((point) => !isPrinted(point)), drawn),
+          line(
+            turned.filter((point) => !isPrinted(point)),
+            drawn,
+          ),
           line(turned.filter(isPrinted), { ...drawn, strokeDasharray: '5 4' }),
         ]),
     ...dots(added, layout, ofAdded),

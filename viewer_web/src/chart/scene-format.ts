@@ -60,7 +60,11 @@ const runFields = part({
 });
 
 /** The distinct pictures of the runs, the right one first, each as lengths and colours of runs of pixels in turn. */
-const pictures = part({ width: between(1, 1 << 16), colors: list(color), shown: some(list(count)) });
+const pictures = part({
+  width: between(1, 1 << 16),
+  colors: list(color),
+  shown: some(list(count)),
+});
 
 const scene = part({
   name: text,

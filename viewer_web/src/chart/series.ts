@@ -125,7 +125,11 @@ const shapeOfVariant = (variant: Variant): Shape =>
 export function lookOf({ id, group, knob }: Series): Look {
   return {
     color: `var(--${colorOf(group) ?? id})`,
-    shape: isVariant(group) ? shapeOfVariant(group) : id === 'zbuffer-fixed' ? 'square' : shapeOf[knob ?? 'none'],
+    shape: isVariant(group)
+      ? shapeOfVariant(group)
+      : id === 'zbuffer-fixed'
+        ? 'square'
+        : shapeOf[knob ?? 'none'],
     isFilled: group === 'warnock' || isKernel(group),
     scale: isKernel(group) ? scaleOf(group) : 1,
   };

@@ -101,8 +101,14 @@ describe('the peak between two samples', () => {
   });
 
   it.each([
-    ['en', 'filtered, tolerance 4 px is the cheapest right run, and it is right everywhere, since it decides as exact arithmetic does.'],
-    ['ru', 'filtered, допуск 4 пикс. — самый дешёвый верный прогон, и он верен везде: его решения те же, что в точной арифметике.'],
+    [
+      'en',
+      'filtered, tolerance 4 px is the cheapest right run, and it is right everywhere, since it decides as exact arithmetic does.',
+    ],
+    [
+      'ru',
+      'filtered, допуск 4 пикс. — самый дешёвый верный прогон, и он верен везде: его решения те же, что в точной арифметике.',
+    ],
   ] as const)('is explained in %s', (language, text) => {
     expect(plain(adviceText(shown({ ...peak, cost: 'samples' }, language)))).toBe(text);
   });

@@ -109,7 +109,8 @@ export class PanelElement extends LitElement {
     const details = runDetails(point, shown);
     return html`<h2>${title}</h2>
       <p>
-        ${runName(point.setting, shown)} ${details === '' ? nothing : html`<small>${details}</small>`}
+        ${runName(point.setting, shown)}
+        ${details === '' ? nothing : html`<small>${details}</small>`}
       </p>
       <p>
         <small>
@@ -150,7 +151,11 @@ export class PanelElement extends LitElement {
 }
 
 /** A picture; the pixels that are wrong in it have an outline. */
-function drawing({ width, height, strips, lines }: Shot, name: string, wrong: Pair['wrong'] = []): TemplateResult {
+function drawing(
+  { width, height, strips, lines }: Shot,
+  name: string,
+  wrong: Pair['wrong'] = [],
+): TemplateResult {
   const pixels = strips.map(
     ({ x, y, width: across, color }) =>
       svg`<rect x=${x} y=${y} width=${across} height="1" fill=${color} />`,
