@@ -206,6 +206,7 @@ describe('the chart', () => {
     await plot(page).waitFor();
     await page.emulateMedia({ media: 'print' });
     const paper = page.locator('vidno-plot .printed svg');
+    await paper.waitFor();
     const { width = 0 } = (await paper.boundingBox()) ?? {};
     // There are 96 pixels to the inch.
     expect(width).toBeCloseTo((8 / 2.54) * 96, 0);
