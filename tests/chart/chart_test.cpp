@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "chart/chart_pictures.h"
 #include "chart/chart_plot.h"
 #include "check/visible_areas.h"
 #include "output.h"
@@ -272,6 +273,36 @@ TEST_CASE("A run that ended by a fault is on no front") {
         for (const auto& errors : run.on_front) CHECK(std::count(errors.begin(), errors.end(), true) == 0);
     }
     CHECK(ended == 1);
+}
+
+TEST_CASE("Pictures: each distinct one once, the right one first, as runs of equal pixels") {
+    const Color white{255, 255, 255}, blue{0, 0, 255};
+    ScenePictures pictures(3, {white, white, blue, blue, white, white});
+    CHECK(pictures.place_of({white, blue, blue, blue, white, white}) == 1);
+    CHECK(pictures.place_of({white, white, blue, blue, white, white}) == 0);
+    CHECK(json::parse(pictures.json()) ==
+          json::parse(R"({"width": 3, "colors": ["#ffffff", "#0000ff"], "shown": [[2,0,2,1,2,0], [1,0,3,1,2,0]]})"));
+}
+
+TEST_CASE("A run's picture differs from the right one in its wrong pixels") {
+    const AdmittedScene scene = SceneBuilder(area_16).polygon({{2, 2, 0}, {14, 8, 0}, {4, 12, 0}}).build();
+    const json reported = json::parse(chart_json(std::vector<SceneChart>{charted(scene)}))["scenes"][0];
+    const auto pixels_of = [&](std::size_t picture) {
+        std::vector<int> pixels;
+        const auto runs = reported["pictures"]["shown"][picture].get<std::vector<int>>();
+        for (std::size_t i = 0; i < runs.size(); i += 2) pixels.insert(pixels.end(), std::size_t(runs[i]), runs[i + 1]);
+        return pixels;
+    };
+    const auto right = pixels_of(0);
+    REQUIRE(right.size() == 256);
+    for (const json& run : reported["runs"]) {
+        // Only the methods of the course are judged by the same picture.
+        if (run["method"] != "zbuffer" && run["method"] != "warnock") continue;
+        const auto own = pixels_of(run["picture"]);
+        int wrong = 0;
+        for (std::size_t i = 0; i < right.size(); ++i) wrong += own[i] == right[i] ? 0 : 1;
+        CHECK(wrong == run["wrongPixels"].get<int>());
+    }
 }
 
 TEST_CASE("JSON and CSV agree for any name of the scene") {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
+#include "chart/chart_pictures.h"
 #include "chart/timing.h"
 #include "choice/method.h"
 #include "scene/scene_json.h"
@@ -141,21 +143,24 @@ std::size_t turns_of(const Scene& scene) { return ways_to_draw(scene).size() * (
 SceneChart chart_of(const AdmittedScene& scene, const std::function<void()>& progress) {
     Stage stage(scene);
     const Examiner examiner(scene);
-    SceneChart chart{scene->name, examiner.unsteady_pixels(), examiner.pixels(), scene->polygons.size(),
+    SceneChart chart{scene->name, examiner.unsteady_pixels(), examiner.right().pixels().size(), scene->polygons.size(),
                      examiner.area_of_pixels()};
     chart.scene = scene_json(scene);
+    ScenePictures pictures(scene->area.width, examiner.right().pixels());
     std::vector<std::function<void()>> runs;
     for (const Way& way : ways_to_draw(scene)) {
         const SnappedScene& as_run = stage.scene_for(way.kernel);
         RunRequest request{way.method, way.kernel, way.edition, as_run.scene};
         request.smallest_window = way.smallest_window;
-        const Findings found = examiner.examine(request, as_run.sources);
-        chart.runs.push_back({way, cost_of(way, scene, found.operations), found});
+        Findings found = examiner.examine(request, as_run.sources);
+        const std::size_t picture = pictures.place_of(std::exchange(found.pixels, {}));
+        chart.runs.push_back({way, cost_of(way, scene, found.operations), found, {}, picture});
         runs.emplace_back([request] { run(request); });
         progress();
     }
     const auto seconds = median_seconds(runs, chart_rounds, progress);
     for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
+    chart.pictures = pictures.json();
     compare_runs(chart.runs, cost_axes, error_axes);
     return chart;
 }

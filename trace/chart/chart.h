@@ -41,6 +41,7 @@ struct ChartRun {
     Cost cost;
     Findings found;
     Fronts<3, 4> on_front{};
+    std::size_t picture = 0;  // the index of what it shows
 
     bool is_complete() const { return found.complete; }
 };
@@ -54,7 +55,8 @@ struct SceneChart {
     std::size_t pixels = 0, polygons = 0;
     double area = 0;  // in pixels: the area that even the right picture shows in a wrong colour
     std::vector<ChartRun> runs{};
-    std::string scene{};  // the scene itself, as scene_json writes it
+    std::string scene{};     // the scene itself, as scene_json writes it
+    std::string pictures{};  // as ScenePictures writes them
 
     bool degenerate() const { return unsteady > 0; }
 };

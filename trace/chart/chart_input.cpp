@@ -45,7 +45,8 @@ void read_fronts(const JsonNode& front, auto& run, const auto& cost_axes, const 
 ChartRun run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
                        "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
-                       "depthUlps", "front"});
+                       "depthUlps", "front"},
+                      {"picture"});
     ChartRun run{{Method(node.at("method").place_among(method_names)), read_kernel(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     run.way.smallest_window = node.at("window").whole_number(1, largest_side);
@@ -67,7 +68,8 @@ ChartRun run_of(const JsonNode& node) {
 
 SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "knob", "value", "seconds", "time", "operations", "samples",
-                       "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"});
+                       "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"},
+                      {"picture"});
     SurfaceChartRun run{{read_kernel(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     if (!node.at("knob").is_null()) {
@@ -85,7 +87,7 @@ SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
 }
 
 SceneChart scene_of(const JsonNode& node) {
-    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "scene", "runs"});
+    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "scene", "runs"}, {"pictures"});
     SceneChart scene{.name = node.at("name").text(),
                      .unsteady = count_of(node.at("unsteady")),
                      .pixels = count_of(node.at("pixels")),
@@ -96,7 +98,7 @@ SceneChart scene_of(const JsonNode& node) {
 }
 
 SurfaceChart surface_of(const JsonNode& node) {
-    node.require_keys({"name", "curves", "columns", "runs"}, {"surface"});
+    node.require_keys({"name", "curves", "columns", "runs"}, {"surface", "pictures"});
     return {node.at("name").text(), count_of(node.at("curves")), count_of(node.at("columns")),
             all_of(node.at("runs"), surface_chart_run_of)};
 }

@@ -31,7 +31,9 @@ Json fronts_of(const auto& run, const auto& cost_axes, const auto& error_axes) {
 }
 
 Json json_of(const ChartRun& run) {
-    const auto& [way, cost, found, on_front] = run;
+    const auto& way = run.way;
+    const auto& cost = run.cost;
+    const auto& found = run.found;
     return {{"method", method_names[std::size_t(way.method)]},
             {"kernel", way.kernel.name()},
             {"edition", name_of(way.edition)},
@@ -53,7 +55,9 @@ Json json_of(const ChartRun& run) {
 }
 
 Json json_of(const SurfaceChartRun& run) {
-    const auto& [way, cost, found, on_front] = run;
+    const auto& way = run.way;
+    const auto& cost = run.cost;
+    const auto& found = run.found;
     return {{"method", floating_horizon_method},
             {"kernel", way.kernel.name()},
             {"edition", name_of(way.edition)},
@@ -130,8 +134,13 @@ std::string file_of(const std::string& subjects, const auto& charts, const auto&
     return with(head.dump(), subjects, listed(charts, text_of)) + "\n";
 }
 
+/// The pictures are only in the JSON: a row of CSV is one run.
 std::string runs_of(const auto& chart) {
-    return listed(chart.runs, [](const auto& run) { return json_of(run).dump(); });
+    return listed(chart.runs, [](const auto& run) {
+        Json object = json_of(run);
+        object["picture"] = run.picture;
+        return object.dump();
+    });
 }
 
 std::string rows_of(const std::string& subject, const auto& charts) {
@@ -157,12 +166,15 @@ std::string rows_of(const std::string& subject, const auto& charts) {
 
 std::string chart_json(const std::vector<SceneChart>& scenes) {
     return file_of("scenes", scenes, [](const SceneChart& scene) {
-        return with(with(head_of(scene).dump(), "scene", scene.scene), "runs", runs_of(scene));
+        const std::string head = with(with(head_of(scene).dump(), "scene", scene.scene), "pictures", scene.pictures);
+        return with(head, "runs", runs_of(scene));
     });
 }
 std::string chart_json(const std::vector<SurfaceChart>& surfaces) {
     return file_of("surfaces", surfaces, [](const SurfaceChart& surface) {
-        return with(with(head_of(surface).dump(), "surface", surface.surface), "runs", runs_of(surface));
+        const std::string head =
+            with(with(head_of(surface).dump(), "surface", surface.surface), "pictures", surface.pictures);
+        return with(head, "runs", runs_of(surface));
     });
 }
 

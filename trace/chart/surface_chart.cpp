@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "chart/chart.h"
+#include "chart/chart_pictures.h"
 #include "chart/timing.h"
 #include "check/check.h"
 #include "vidno/floating_horizon.h"
@@ -92,9 +94,11 @@ class FunctionExaminer {
 public:
     explicit FunctionExaminer(const Function& function)
         : dense_(admit(CurveScene{function.area, sampled(on_each_column(function.surface))})),
-          drawn_(columns_drawn(run({kernel_of(KernelKind::filtered), Edition::corrected, dense_}), dense_)) {}
+          lines_(run({kernel_of(KernelKind::filtered), Edition::corrected, dense_})),
+          drawn_(columns_drawn(lines_, dense_)) {}
 
     const AdmittedCurves& dense() const { return dense_; }
+    const DrawnLines& lines() const { return lines_; }
 
     SurfaceFindings examine(const FloatingHorizonRequest& request) const {
         SurfaceFindings found;
@@ -104,6 +108,7 @@ public:
             found.decisions += each.decisions - each.undefined;
             found.wrong_decisions += each.wrong_for_scene;
         }
+        found.lines = report.lines;
         found.wrong_columns = different_columns(columns_drawn(report.lines, request.scene), drawn_);
         for (std::size_t i = 0; i < dense_->curves.size(); ++i) {
             found.height = std::max(found.height, height_missed(request.scene->curves[i], dense_->curves[i]));
@@ -113,6 +118,7 @@ public:
 
 private:
     AdmittedCurves dense_;
+    DrawnLines lines_;
     ColumnsDrawn drawn_;
 };
 
@@ -139,19 +145,22 @@ SurfaceChart chart_of(const Function& function, const std::function<void()>& pro
     std::vector<AdmittedCurves> scenes;
     for (const SurfaceWay& way : ways)
         scenes.push_back(admit(CurveScene{function.area, sampled(turned(function.surface, way))}));
+    SurfacePictures pictures(function.area, examiner.lines());
     std::vector<std::function<void()>> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const FloatingHorizonRequest request{ways[i].kernel, ways[i].edition, scenes[i]};
-        const SurfaceFindings found = examiner.examine(request);
+        SurfaceFindings found = examiner.examine(request);
         SurfaceCost cost;
         cost.operations = double(std::accumulate(found.operations.begin(), found.operations.end(), std::uint64_t{0}));
         cost.samples = double(sample_count(scenes[i]));
-        chart.runs.push_back({ways[i], cost, found});
+        const std::size_t picture = pictures.place_of(std::exchange(found.lines, {}));
+        chart.runs.push_back({ways[i], cost, found, {}, picture});
         runs.emplace_back([request] { run(request); });
         progress();
     }
     const auto seconds = median_seconds(runs, chart_rounds, progress);
     for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
+    chart.pictures = pictures.json();
     compare_runs(chart.runs, surface_cost_axes, surface_error_axes);
     return chart;
 }

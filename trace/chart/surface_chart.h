@@ -10,6 +10,7 @@
 
 #include "chart/axes.h"
 #include "chart/chart_plot.h"
+#include "format/floating_horizon_trace.h"
 #include "run/run.h"
 #include "scene/surface.h"
 
@@ -48,6 +49,7 @@ struct SurfaceFindings {
     std::uint64_t wrong_columns = 0;  // of all curves: drawn but hidden by the function, or not drawn but visible
     double height = 0;                // the farthest that a curve is from the function over a column, in pixels
     std::uint64_t decisions = 0, wrong_decisions = 0;
+    DrawnLines lines{};
 };
 
 struct SurfaceChartRun {
@@ -55,6 +57,7 @@ struct SurfaceChartRun {
     SurfaceCost cost;
     SurfaceFindings found;
     Fronts<3, 3> on_front{};
+    std::size_t picture = 0;  // the index of what it draws
 
     bool is_complete() const { return true; }  // no text of the floating horizon has a fault
 };
@@ -66,7 +69,8 @@ struct SurfaceChart {
     std::string name;
     std::size_t curves = 0, columns = 0;  // of all curves together
     std::vector<SurfaceChartRun> runs{};
-    std::string surface{};  // its file, as it samples it
+    std::string surface{};   // its file, as it samples it
+    std::string pictures{};  // as SurfacePictures writes them
 };
 
 /// Runs the sampling of the file, and both knobs at each setting, under each kernel that runs curves, in each edition

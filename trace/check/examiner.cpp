@@ -103,6 +103,7 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
     const CheckReport report =
         check_run(request, by_picture_rule ? right_ : right_picture(scene_, request.method), hear);
     found.losses = losses.all(polygon_names(request.scene));
+    found.pixels = report.picture.pixels();
     found.wrong_pixels = report.wrong_pixels;
     found.area = visible_.wrong_in(report.picture);
     for (const auto& each : report.procedures) {

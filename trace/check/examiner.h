@@ -21,6 +21,7 @@ using OperationCounts = std::array<std::uint64_t, operation_names.size()>;
 
 struct Findings {
     bool complete = true;      // no fault ended the run
+    std::vector<Color> pixels{};  // of the picture, row by row from the top
     std::vector<Loss> losses;  // of the run
     OperationCounts operations{};
     std::uint64_t wrong_pixels = 0;
@@ -40,7 +41,7 @@ public:
     /// `sources`: for each polygon of the request's scene, the corresponding one of the examiner's scene.
     Findings examine(const RunRequest& request, const std::vector<std::size_t>& sources) const;
 
-    std::size_t pixels() const { return right_.pixels().size(); }
+    const Picture& right() const { return right_; }
 
     /// How much even the right picture shows in a wrong colour, in pixels, since a pixel has only one colour.
     double area_of_pixels() const { return visible_.wrong_in(right_); }

@@ -47,20 +47,71 @@ export async function openChart(
   return opened;
 }
 
-export const plot = (page: Page): ReturnType<Page['locator']> => page.locator('vidno-plot svg');
+export const plot = (page: Page): ReturnType<Page['locator']> =>
+  page.locator('vidno-plot .canvas svg');
 
-/** The cells of the table of the front, row by row. */
+/** The cells of the table of the points, row by row. */
 export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
-  page
-    .locator('vidno-front tbody tr')
-    .evaluateAll((all) =>
-      all.map((row) => [
-        row.querySelector('button')?.textContent.trim() ?? '',
-        ...[...row.querySelectorAll('td')].map(
-          (cell) => cell.firstChild?.parentElement?.innerText.split('\n')[0]?.trim() ?? '',
-        ),
-      ]),
-    );
+  page.locator('vidno-points tbody tr').evaluateAll((all) =>
+    all.map((row) => [
+      row.querySelector('button')?.textContent.trim() ?? '',
+      ...[...row.querySelectorAll('td')].map((cell) =>
+        [...cell.childNodes]
+          .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
+          .map(({ textContent }) => textContent)
+          .join('')
+          .trim(),
+      ),
+    ]),
+  );
+
+export interface Box {
+  readonly text: string;
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** The boxes of all texts in the plot on the screen, or in that on paper. */
+export const textsIn = (page: Page, plotted = '.canvas'): Promise<readonly Box[]> =>
+  page.locator(`vidno-plot ${plotted} svg text`).evaluateAll((all) =>
+    all
+      .map((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        return { text: text.textContent, left, right, top, bottom };
+      })
+      .filter(({ left, right }) => right > left),
+  );
+
+/** The pairs of texts that cover each other. The box of a text is a little higher than its letters. */
+export function overlapping(boxes: readonly Box[]): readonly string[] {
+  const slack = 1.5;
+  return boxes.flatMap((a, i) =>
+    boxes
+      .slice(i + 1)
+      .filter(
+        (b) =>
+          a.left < b.right - slack &&
+          b.left < a.right - slack &&
+          a.top < b.bottom - slack &&
+          b.top < a.bottom - slack,
+      )
+      .map((b) => `${a.text} | ${b.text}`),
+  );
+}
+
+/** The middles of the symbols of points, on the page. */
+export const dots = (
+  page: Page,
+  of: 'main' | 'added',
+): Promise<readonly (readonly [number, number])[]> =>
+  page.locator(`vidno-plot .canvas [aria-description="${of} points"] > *`).evaluateAll((all) =>
+    all.map((dot) => {
+      const { left, right, top, bottom } = dot.getBoundingClientRect();
+      return [(left + right) / 2, (top + bottom) / 2] as const;
+    }),
+  );
 
 const focused = (page: Page): Promise<string> =>
   page.evaluate(() => {

@@ -1,118 +1,144 @@
 import { describe, expect, it } from 'vitest';
 import { languages } from '../language/language.js';
+import type { Language } from '../language/language.js';
 import { runOf, sample, sceneOf } from '../testing/charts.js';
-import { adviceText } from './advice-words.js';
-import { adviceOf, mostly } from './advice.js';
+import { adviceRows, adviceText } from './advice.js';
 import { parseChoice } from './choice.js';
+import type { SceneRun } from './scene-format.js';
 import { sceneCosts } from './scene-format.js';
 import { shownOf } from './shown.js';
+import type { Shown } from './shown.js';
 
 const wrongZBuffer = runOf({ kernel: 'float', time: 1, wrongPixels: 4 });
 const rightZBuffer = runOf({ kernel: 'double', time: 2 });
 const safeZBuffer = runOf({ kernel: 'filtered', time: 3 });
 const exactZBuffer = runOf({ kernel: 'exact', time: 90 });
 const rightWarnock = runOf({ method: 'warnock', kernel: 'double', time: 20 });
+const fewBits = runOf({ kernel: 'bits:8', knob: 'bits', value: 8, time: 0.5 });
+const slowVariant = runOf({ method: 'warnock-full', kernel: 'float', time: 9 });
+const fastVariant = runOf({ method: 'warnock-simplest', kernel: 'float', time: 8 });
+const wrongVariant = runOf({ method: 'weiler-atherton', time: 7, wrongPixels: 1 });
 
-const kernels = (points: readonly { readonly setting: { readonly kernel: string } }[]): string[] =>
-  points.map(({ setting }) => setting.kernel);
+function shownWith(
+  runs: readonly SceneRun[],
+  language: Language = 'en',
+  hash = '',
+  fields: Parameters<typeof sceneOf>[1] = {},
+): Shown {
+  const shown = shownOf(
+    { ...sample, scenes: [sceneOf(runs, fields)] },
+    parseChoice(hash),
+    language,
+  );
+  if (shown === null) throw new Error('nothing is shown');
+  return shown;
+}
 
-describe('which run a scene needs', () => {
-  it('is the cheapest right one, and the others named have other methods', () => {
-    const scene = sceneOf([exactZBuffer, rightWarnock, safeZBuffer, rightZBuffer, wrongZBuffer]);
-    const advice = adviceOf([scene], 'time');
-    expect(advice?.cheapest.run).toBe(rightZBuffer);
-    expect(kernels(advice?.cheaper ?? [])).toEqual(['float']);
-    expect(advice?.safe?.run).toBe(safeZBuffer);
-    expect(advice?.others.map(({ run }) => run)).toEqual([rightWarnock]);
-    expect(advice?.neverRight).toEqual([]);
+const all = [
+  exactZBuffer,
+  slowVariant,
+  rightWarnock,
+  fewBits,
+  safeZBuffer,
+  rightZBuffer,
+  fastVariant,
+  wrongVariant,
+  wrongZBuffer,
+];
+
+describe('the chart opens', () => {
+  it('with the two methods, and the fastest right run of all others', () => {
+    expect(shownWith(all).main.map(({ run }) => run)).toEqual([
+      wrongZBuffer,
+      rightZBuffer,
+      safeZBuffer,
+      fastVariant,
+      rightWarnock,
+      exactZBuffer,
+    ]);
   });
 
-  it('is, among equally cheap ones, the one that is right everywhere', () => {
-    const scene = sceneOf([rightZBuffer, { ...safeZBuffer, time: rightZBuffer.time }]);
-    const advice = adviceOf([scene], 'time');
-    expect(advice?.cheapest.setting.kernel).toBe('filtered');
-    expect(advice?.safe).toBe(advice?.cheapest);
-  });
-
-  it('never names a snapping kernel as safe, for it is right about another scene', () => {
-    const grid = runOf({ kernel: 'grid:8', time: 1 });
-    const advice = adviceOf([sceneOf([grid, safeZBuffer])], 'time');
-    expect(advice?.cheapest.run).toBe(grid);
-    expect(advice?.safe?.run).toBe(safeZBuffer);
-  });
-
-  it('is never of an edition with defects, nor ended by a fault', () => {
+  it('without the printed edition, and without runs that a fault ended', () => {
     const printed = runOf({ edition: 'printed', time: 0.5 });
-    const broken = runOf({ complete: false, time: 0.6 });
-    const advice = adviceOf([sceneOf([printed, broken, rightZBuffer])], 'time');
-    expect(advice?.cheapest.run).toBe(rightZBuffer);
-    expect(advice?.cheaper).toEqual([]);
+    const broken = runOf({ complete: false, time: 0.6, kernel: 'filtered' });
+    const { main } = shownWith([printed, broken, rightZBuffer]);
+    expect(main.map(({ run }) => run)).toEqual([rightZBuffer]);
   });
 
-  it('names the methods that are never right', () => {
-    const wrong = runOf({ method: 'warnock', wrongPixels: 1 });
-    expect(adviceOf([sceneOf([wrong, rightZBuffer])], 'time')?.neverRight).toEqual(['warnock']);
-    expect(adviceOf([sceneOf([wrong])], 'time')).toBeNull();
+  it('with at most twelve points, whatever the scene and the cost', () => {
+    for (const view of ['ordinary', 'ordinary/Two walls', 'degenerate/Slivers']) {
+      for (const cost of sceneCosts) {
+        const shown = shownOf(sample, { ...parseChoice(''), view, cost }, 'en');
+        expect(shown?.main.length).toBeGreaterThan(2);
+        expect(shown?.main.length).toBeLessThanOrEqual(12);
+      }
+    }
   });
 
-  it('holds for several scenes if it is right in each of them', () => {
-    const first = sceneOf([rightZBuffer, safeZBuffer]);
-    const second = sceneOf([{ ...rightZBuffer, wrongPixels: 1 }, safeZBuffer]);
-    expect(adviceOf([first, second], 'time')?.cheapest.setting.kernel).toBe('filtered');
-  });
-
-  it('has no safe run if no run that is always right has the cost', () => {
-    const scene = sceneOf([rightZBuffer, { ...safeZBuffer, bits: null }]);
-    expect(adviceOf([scene], 'bits')?.safe).toBeNull();
+  it('and a series adds its own points only', () => {
+    const { main, added, visible } = shownWith(all, 'en', 'series=zbuffer-bits');
+    expect(added.map(({ run }) => run)).toEqual([fewBits]);
+    expect(visible).toEqual([...main, ...added]);
+    expect(shownWith(all, 'en', 'series=warnock-grid').added).toEqual([]);
   });
 });
 
-it('names the kind of most operations of a run', () => {
-  const { counts } = wrongZBuffer;
-  const run = runOf({ operations: 40, counts: { ...counts, comparisons: 10, orientations: 30 } });
-  expect(mostly(run)).toEqual(['orientations', 0.75]);
-  expect(mostly(runOf({ operations: 0, counts: { ...counts, comparisons: 0 } }))).toBeNull();
-});
+describe('the advice', () => {
+  // The cheapest right main run costs 2; that with 8 bits is cheaper, but none of the main ones. Right everywhere costs 3.
+  const rowsOf = (shown: Shown): unknown[] => adviceRows(shown).map(({ point }) => point?.run);
 
-describe.each(languages)('the paragraph in %s', (language) => {
-  const saidOf = (runs: Parameters<typeof sceneOf>[0]): string => {
-    const chart = { ...sample, scenes: [sceneOf(runs)] };
-    const shown = shownOf(chart, parseChoice(''), language);
-    if (shown === null) throw new Error('nothing is shown');
-    return adviceText(adviceOf(chart.scenes, 'time'), shown).replace(/[\u00a0\u202f]/gu, ' ');
-  };
-
-  it('says what is needed and why', () => {
-    const said = saidOf([exactZBuffer, rightWarnock, safeZBuffer, rightZBuffer, wrongZBuffer]);
-    // The cheaper run has 4 of 100 pixels wrong. The others cost 3 / 2 and 20 / 2 times as much.
-    expect(said).toMatch(/double.*×2.*float.*4 ?%.*filtered.*×1[.,]5.*double \(×10; 100 ?%/u);
+  it('names the cheapest right run, the one that is always right, and what is cheaper', () => {
+    expect(rowsOf(shownWith(all))).toEqual([rightZBuffer, safeZBuffer, wrongZBuffer]);
   });
 
-  it('distinguishes runs that differ in their smallest window', () => {
-    const coarse = runOf({
-      method: 'warnock',
-      window: 8,
-      knob: 'window',
-      value: 8,
-      wrongPixels: 17,
-    });
-    expect(saidOf([{ ...coarse, time: 1 }, rightZBuffer])).toMatch(
-      /double \([^)]* 8[^)]*\).* 17 ?%/u,
+  it('names, of the cheaper runs, the least wrong one', () => {
+    const closer = runOf({ method: 'warnock', kernel: 'float', time: 1.5, wrongPixels: 3 });
+    expect(rowsOf(shownWith([closer, ...all]))[2]).toBe(closer);
+  });
+
+  it('prefers, among equally cheap runs, the one that is right everywhere', () => {
+    const tied = { ...safeZBuffer, time: rightZBuffer.time };
+    expect(rowsOf(shownWith([rightZBuffer, tied]))).toEqual([tied, tied, undefined]);
+  });
+
+  it('has no run that is right everywhere if none has the cost', () => {
+    const shown = shownWith([rightZBuffer, { ...safeZBuffer, bits: null }], 'en', 'cost=bits');
+    expect(rowsOf(shown)).toEqual([rightZBuffer, undefined, undefined]);
+  });
+
+  it('holds for several scenes if a run is right in each of them', () => {
+    const scenes = [
+      sceneOf([rightZBuffer, safeZBuffer]),
+      sceneOf([{ ...rightZBuffer, wrongPixels: 1 }, safeZBuffer]),
+    ];
+    const shown = shownOf({ ...sample, scenes }, parseChoice(''), 'en');
+    expect(shown?.answer.cheapest?.setting.kernel).toBe('filtered');
+    expect(shown?.answer.wrong?.setting.kernel).toBe('double');
+  });
+
+  it('is right about pixels, whichever error the axis shows', () => {
+    const shown = shownWith(all, 'en', 'error=depthUlps');
+    expect(rowsOf(shown)).toEqual([rightZBuffer, safeZBuffer, wrongZBuffer]);
+  });
+
+  it('is one sentence', () => {
+    // 3 / 2 = 1.5.
+    expect(adviceText(shownWith(all))).toBe(
+      'Z-buffer double is the cheapest right run; one that is right everywhere, not only here, costs 1.5 times as much.',
     );
+    expect(adviceText(shownWith(all, 'ru'))).toBe(
+      'Z-буфер double — самый дешёвый верный прогон; верный не только здесь, но и везде обойдётся дороже: ×1,5.',
+    );
+    expect(adviceText(shownWith([wrongZBuffer]))).toBe('No run shown gets every pixel right.');
   });
 
-  it('differs where the cheapest is right everywhere', () => {
-    expect(saidOf([safeZBuffer])).not.toBe(saidOf([rightZBuffer]));
-    expect(saidOf([safeZBuffer]).split('.').length).toBeLessThan(5);
-  });
-
-  it.each(sceneCosts)('has words for %s of every scene', (cost) => {
-    for (const view of [null, 'ordinary/Two walls', 'degenerate/Slivers']) {
-      const shown = shownOf(sample, { ...parseChoice(''), view, cost }, language);
-      if (shown === null) throw new Error('nothing is shown');
-      const said = adviceText(adviceOf(shown.view.subjects, cost), shown);
-      expect(said).not.toMatch(/undefined|null|NaN|\[object|\$\{/u);
-      expect(said).toMatch(/\.$/u);
+  it.each(languages)('is one sentence in %s for every cost and scene', (language) => {
+    for (const view of ['ordinary', 'ordinary/Two walls', 'degenerate/Slivers']) {
+      for (const cost of sceneCosts) {
+        const shown = shownOf(sample, { ...parseChoice(''), view, cost }, language);
+        expect(shown && adviceText(shown)).toMatch(/^[^.]*(\d[.,]\d[^.]*)?\.$/u);
+        expect(shown && adviceRows(shown)).toHaveLength(3);
+      }
     }
   });
 });

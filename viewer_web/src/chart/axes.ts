@@ -37,82 +37,65 @@ function decades(errors: readonly number[]): readonly [number, number] {
   return [least, Math.max(Math.ceil(Math.log10(high)), least + 1)];
 }
 
-interface Plotted {
-  readonly error: number;
-  readonly series: string;
+/** The heights that the axis of errors needs besides the decades, in pixels. */
+export interface Room {
+  /** Below the line of the right points, for their names. */
+  readonly below: number;
+  /** From that line to the one that divides right from wrong, which has a word on either side. */
+  readonly word: number;
+  /** From one number of the axis to the next, at least. */
+  readonly tick: number;
 }
 
 /**
- * The error axis, in pixels from the bottom: a band for zero, then decades, then if necessary a band for infinity. Each
- * series has a lane in the bands, so that equal errors do not overlap.
+ * The error axis, in pixels from the bottom: a line for the right points; above the divide, decades; then if necessary a
+ * line for infinity.
  */
 export class ErrorAxis {
-  /** The top of the band for zero. */
-  readonly zeroBand: number;
-  /** The bottom of the band for infinity. */
-  readonly infiniteBand: number;
+  /** The line of the right points. */
+  readonly right: number;
+  /** Between right and wrong. */
+  readonly divide: number;
+  private readonly bottom: number;
+  private readonly top: number;
+  private readonly infinite: number | null;
   private readonly domain: readonly [number, number];
 
-  private readonly zeroLanes: readonly string[];
-  private readonly infiniteLanes: readonly string[];
-
-  /** `series`: in the order of their lanes. */
+  /** `least`: the error of the right picture; what has no greater one is right. */
   constructor(
-    points: readonly Plotted[],
-    series: readonly string[],
-    private readonly laneHeight: number,
+    errors: readonly number[],
+    private readonly least: number,
+    private readonly room: Room,
     readonly height: number,
   ) {
-    const lanesAt = (at: number): readonly string[] => {
-      const found = new Set(
-        points.filter(({ error }) => error === at).map((point) => point.series),
-      );
-      return series.filter((each) => found.has(each));
-    };
-    this.zeroLanes = lanesAt(0);
-    this.infiniteLanes = lanesAt(Infinity);
-    this.domain = decades(points.map(({ error }) => error));
-    this.zeroBand = this.bandOf(Math.max(1, this.zeroLanes.length));
-    this.infiniteBand = height - this.bandOf(this.infiniteLanes.length);
+    const { below, word, tick } = room;
+    const wrong = errors.filter((error) => error > least);
+    this.right = below;
+    this.divide = below + word;
+    this.bottom = this.divide + word;
+    this.infinite = wrong.includes(Infinity) ? height - tick / 2 : null;
+    this.top = Math.max(height - tick * (this.infinite === null ? 0.5 : 2), this.bottom + 1);
+    this.domain = decades(wrong);
   }
 
-  private bandOf(lanes: number): number {
-    return lanes === 0 ? 0 : (lanes + 0.5) * this.laneHeight;
-  }
-
-  /** The space between a band and the decades, which is empty. */
-  private get gap(): number {
-    return this.laneHeight * 0.7;
-  }
-
-  at(error: number, series = ''): number {
-    const inBand = (lanes: readonly string[]): number =>
-      (lanes.length - lanes.indexOf(series) - 0.25) * this.laneHeight;
-    if (error === 0) return inBand(this.zeroLanes);
-    if (error === Infinity) return this.infiniteBand + inBand(this.infiniteLanes);
+  at(error: number): number {
+    if (error <= this.least) return this.right;
+    if (error === Infinity) return this.infinite ?? this.top;
     const [least, greatest] = this.domain;
     const share = Math.min(1, Math.max(0, (Math.log10(error) - least) / (greatest - least)));
     return this.bottom + share * (this.top - this.bottom);
   }
 
-  private get bottom(): number {
-    return this.zeroBand + this.gap;
-  }
-
-  private get top(): number {
-    return this.infiniteBand - this.gap;
-  }
-
   ticks(): readonly Tick[] {
     const [least, greatest] = this.domain;
     const range = [10 ** least, 10 ** greatest * 1.0001] as const;
-    const values = logTicks(range, this.top - this.bottom, this.laneHeight * 1.6);
+    const values = logTicks(range, this.top - this.bottom, this.room.tick);
     return [
-      { at: this.zeroBand / 2, value: 0 },
-      ...values.map((value) => ({ at: this.at(value), value })),
-      ...(this.infiniteBand < this.height
-        ? [{ at: (this.infiniteBand + this.height) / 2, value: Infinity }]
-        : []),
+      { at: this.right, value: this.least },
+      ...values
+        .filter((value) => value > this.least)
+        .map((value) => ({ at: this.at(value), value })),
+      ...(this.infinite === null ? [] : [{ at: this.infinite, value: Infinity }]),
     ];
   }
 }

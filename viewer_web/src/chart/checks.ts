@@ -1,4 +1,4 @@
-import { between, finite, formatOf, list, optional, plainObject } from '../trace/check.js';
+import { between, finite, formatOf, list, optional, plainObject, text } from '../trace/check.js';
 import type { Check } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
@@ -11,6 +11,13 @@ export const size: Check<number> = (value, path) => {
   const number = finite(value, path);
   if (number >= 0) return number;
   throw new Refusal(path, 'notNegative', describe(value));
+};
+
+/** A colour as the page's pictures have it. */
+export const color: Check<string> = (value, path) => {
+  const found = text(value, path);
+  if (/^#[\da-f]{6}$/u.test(found)) return found;
+  throw new Refusal(path, 'oneOf', '#rrggbb', describe(value));
 };
 
 export const count = between(0, Number.MAX_SAFE_INTEGER);

@@ -2,7 +2,7 @@ import { isLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { costs, errors } from './format.js';
 import type { Cost, ErrorMeasure } from './format.js';
-import { allSeries, printed } from './series.js';
+import { allSeries, front, printed } from './series.js';
 
 /** The reader's choices, as the page's address stores them behind `#`. */
 export interface Choice {
@@ -11,30 +11,30 @@ export interface Choice {
   readonly view: string | null;
   readonly cost: Cost | null;
   readonly error: ErrorMeasure | null;
-  readonly hidden: ReadonlySet<string>;
+  /** The series beside the main points. An unknown one means none, as does one that the view lacks. */
+  readonly series: string | null;
 }
 
-const toggles: readonly string[] = [...allSeries.map(({ id }) => id), printed];
+const addable: readonly string[] = [...allSeries.map(({ id }) => id), printed, front];
 
 export function parseChoice(hash: string): Choice {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const language = fields.get('lang');
-  const hidden = (fields.get('hide') ?? '').split(' ');
   return {
     language: isLanguage(language) ? language : null,
     view: fields.get('view'),
     cost: costs.find((cost) => cost === fields.get('cost')) ?? null,
     error: errors.find((error) => error === fields.get('error')) ?? null,
-    hidden: new Set(toggles.filter((id) => hidden.includes(id))),
+    series: addable.find((id) => id === fields.get('series')) ?? null,
   };
 }
 
-export function formatChoice({ language, view, cost, error, hidden }: Choice): string {
+export function formatChoice({ language, view, cost, error, series }: Choice): string {
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (view !== null) fields.set('view', view);
   if (cost !== null) fields.set('cost', cost);
   if (error !== null) fields.set('error', error);
-  if (hidden.size > 0) fields.set('hide', toggles.filter((id) => hidden.has(id)).join(' '));
+  if (series !== null) fields.set('series', series);
   return `#${fields.toString()}`;
 }

@@ -1,16 +1,15 @@
 import { ErrorAxis, costDomain } from './axes.js';
 import type { Tick } from './axes.js';
-import { joined, placeLabels, widthOf } from './labels.js';
-import type { Label, Placed } from './labels.js';
+import { boxOf, flags, placeNames, widthOf, widthOfLines, wrapped } from './labels.js';
+import type { Line, Name, Names, Placed } from './labels.js';
 import { number, percent, ratio } from './numbers.js';
-import { linesOf } from './points.js';
+import { byCost, linesOf } from './points.js';
 import type { Point } from './points.js';
-import { printed, seriesId } from './series.js';
-import type { Setting } from './series.js';
+import { front, printed, settingId } from './series.js';
 import type { Shown } from './shown.js';
 import { isDistance } from './subject.js';
 import { logTicks } from './ticks.js';
-import { knobValue } from './words.js';
+import { groupName, knobValue } from './words.js';
 
 /** The positions of everything in the plot, in pixels from the top left inside the axes. */
 export interface Layout {
@@ -27,7 +26,10 @@ export interface Layout {
   readonly axis: ErrorAxis;
   readonly errorTicks: readonly Tick[];
   readonly heightOf: (point: Point) => number;
-  readonly labels: readonly Placed[];
+  /** The words above and below the line that divides right from wrong. */
+  readonly words: readonly Placed[];
+  readonly main: Names;
+  readonly added: Names;
 }
 
 export function costTick(value: number, { cost, view, language }: Shown): string {
@@ -40,28 +42,69 @@ export function errorTick(value: number, { error, language }: Shown): string {
   return counted ? number(value, language) : percent(value, language);
 }
 
-type Place = (point: Point) => Omit<Label, 'text'>;
+type Place = (point: Point) => Pick<Name, 'x' | 'y'>;
 
-/** The labels of points: kernels by name, and knob values at both ends and on the front. */
-function labelsOf({ visible, texts, language }: Shown, place: Place): readonly Label[] {
-  const named = (edition: Setting['edition']): readonly Label[] =>
-    joined(
-      visible
-        .filter(({ setting }) => setting.knob === null && setting.edition === edition)
-        .map((point) => ({ text: point.setting.kernel, ...place(point) })),
-    );
-  const turned = linesOf(visible).flatMap((line) =>
-    line.filter((point, i) => i === 0 || i === line.length - 1 || point.front),
+/** Points that cannot be told apart, since their symbols nearly cover each other. */
+function together(points: readonly Point[], place: Place, apart: number): readonly Point[][] {
+  const groups: Point[][] = [];
+  for (const point of [...points].sort(byCost)) {
+    const { x, y } = place(point);
+    const group = groups.find(([first]) => {
+      const at = first && place(first);
+      return at !== undefined && Math.hypot(at.x - x, at.y - y) < apart;
+    });
+    if (group === undefined) groups.push([point]);
+    else group.push(point);
+  }
+  return groups;
+}
+
+/** For each method or sampling of points at one place, a name that lists the kernels; then whether it is the cheapest. */
+function linesOfNames(group: readonly Point[], shown: Shown, most: number): readonly Line[] {
+  const { texts, answer } = shown;
+  const kernels = new Map<string, string[]>();
+  for (const { setting } of group) {
+    const name = groupName(setting, shown);
+    kernels.set(name, [...(kernels.get(name) ?? []), setting.kernel]);
+  }
+  const { cheapest } = answer;
+  const marked =
+    cheapest !== null &&
+    group.some(({ setting }) => settingId(setting) === settingId(cheapest.setting));
+  const names = [...kernels].flatMap(([name, of]) =>
+    wrapped(`${name} ·\u00a0${of.join(', ')}`, most),
   );
   return [
-    ...named('corrected'),
-    ...named(printed).map((label) => ({ ...label, text: texts.printedLabel(label.text) })),
-    ...joined(
-      turned.map((point) => ({ text: knobValue(point.setting, language), ...place(point) })),
-    ).map(
-      (label) => ({ ...label, text: label.text.replace(/, .* /u, '–') }), // a single label for the whole range
-    ),
+    ...names.map((text) => ({ text, bold: false })),
+    ...(marked ? wrapped(texts.cheapestMark, most).map((text) => ({ text, bold: true })) : []),
   ];
+}
+
+/** What is written beside an added point: the value of its knob, otherwise its kernel. */
+function addedText({ setting }: Point, { texts, chosenSeries, language }: Shown): string {
+  if (setting.knob !== null) return knobValue(setting, language);
+  const isOfPrinted = chosenSeries === printed || chosenSeries === front;
+  return isOfPrinted ? `${texts.methods[setting.method]} · ${setting.kernel}` : setting.kernel;
+}
+
+/** The names of added points: at both ends of a knob and on the front; others without a knob. */
+function namesOfAdded(shown: Shown, place: Place, apart: number): readonly Name[] {
+  const { added, chosenSeries } = shown;
+  const turned = linesOf(added).flatMap((line) =>
+    line.filter(
+      (point, i) => i === 0 || i === line.length - 1 || point.front || chosenSeries === 'front',
+    ),
+  );
+  const plain = added.filter(({ setting }) => setting.knob === null);
+  return together([...plain, ...turned], place, apart).flatMap((group) => {
+    const [first] = group;
+    if (first === undefined) return [];
+    const texts = [...new Set(group.map((point) => addedText(point, shown)))];
+    const [least, last] = [texts[0] ?? '', texts.at(-1) ?? ''];
+    const text =
+      first.setting.knob === null ? texts.join(', ') : least === last ? least : `${least}–${last}`;
+    return [{ ...place(first), lines: [{ text, bold: false }] }];
+  });
 }
 
 /** The position on a logarithmic axis, from 0 to 1. */
@@ -70,55 +113,107 @@ function share(cost: number, [least, greatest]: readonly [number, number]): numb
   return Math.min(1, Math.max(0, (Math.log(cost) - Math.log(least)) / all));
 }
 
-/** The meaning of the dashed line, below its right end. */
-function rightPicture(shown: Shown, line: number, across: number, font: number): Placed | null {
-  const { areaOfRight, texts, language } = shown;
-  if (areaOfRight === null || areaOfRight === 0) return null;
-  const text = texts.rightPicture(percent(areaOfRight, language));
-  return { text, x: across - (widthOf(text) * font) / 2, y: line + font };
+/** A range this many times as long, on a logarithmic axis. */
+function extended([least, greatest]: readonly [number, number], times: number): [number, number] {
+  const from = Math.log10(least);
+  return [least, 10 ** Math.min(from + (Math.log10(greatest) - from) * times, 300)];
 }
 
-export function layoutOf(shown: Shown, width: number, height: number): Layout {
-  const font = Math.min(20, Math.max(12, 7.5 + width / 125));
+/** The layout at a size; `font` is that of the axes, in pixels. */
+export function layoutOf(
+  shown: Shown,
+  width: number,
+  height: number,
+  font = Math.min(20, Math.max(12, 7.5 + width / 125)),
+): Layout {
   const radius = font * 0.36;
-  const [top, bottom, margin] = [font * 2.4, font * 3.8, font * 1.8];
+  const small = font * 0.95;
+  const [top, bottom] = [font * 2.4, font * 3.8];
   const inner = Math.max(height - top - bottom, 1);
-  const { points, series } = shown;
-  const reference = shown.areaOfRight ?? 0;
-  const plotted = points.map(({ error, setting }) => ({ error, series: seriesId(setting) }));
-  const axis = new ErrorAxis(
-    reference > 0 ? [...plotted, { error: reference, series: '' }] : plotted,
-    series.map(({ id }) => id),
-    font * 1.15,
-    inner,
-  );
-  const errorTicks = axis.ticks();
-  const ticks = errorTicks.map(({ value }) => widthOf(errorTick(value, shown)));
+  const { main, visible, least, texts } = shown;
+  const axisAbove = (below: number): ErrorAxis =>
+    new ErrorAxis(
+      visible.map(({ error }) => error),
+      least,
+      { below, word: font * 2.3, tick: font * 1.9 },
+      inner,
+    );
+  const ticks = axisAbove(0)
+    .ticks()
+    .map(({ value }) => widthOf(errorTick(value, shown)));
   const left = Math.ceil((Math.max(...ticks) + 0.7) * font);
-  const across = Math.max(width - left - margin, 1);
-  const costs = costDomain(points.map(({ cost }) => cost));
-  const heightOf = ({ error, setting }: Point): number => axis.at(error, seriesId(setting));
+  const all = Math.max(width - left - font * 0.5, 1);
+  const ends = costDomain(visible.map(({ cost }) => cost));
+
+  // The names of the right points hang to the right of them, so the axis goes on until all of them fit.
+  const most = Math.floor((all * 0.45) / small);
+  const isRight = ({ error }: Point): boolean => error <= least;
+  const apart = radius * 1.5;
+  const onLine: Place = ({ cost }) => ({ x: share(cost, ends) * all * 0.7, y: 0 });
+  const right = together(main.filter(isRight), onLine, apart).map((group) => ({
+    at: share(group[0]?.cost ?? 1, ends),
+    lines: linesOfNames(group, shown, most),
+  }));
+  const fits = right.map(({ at, lines }) => (all - (widthOfLines(lines) + 1) * small) / at);
+  const across = Math.max(Math.min(all - font, ...fits), 1);
+  const costs = extended(ends, all / across);
+  const hung = (y: number): readonly Name[] =>
+    right.map(({ at, lines }) => ({ x: at * across, y, lines }));
+  const bounds = { width: all, top: 0, bottom: 0, font: small, radius };
+  const axis = axisAbove(flags(hung(0), bounds).height + font * 0.3);
+
+  const heightOf = ({ error }: Point): number => axis.at(error);
   const place: Place = (point) => ({
-    x: share(point.cost, costs) * across,
+    x: share(point.cost, costs) * all,
     y: inner - heightOf(point),
   });
-  const bounds = { width: across, height: inner, font: font * 0.9, radius };
-  const right = rightPicture(shown, inner - axis.at(reference), across, bounds.font);
-  const reserved = right === null ? [] : [right];
+  const divide = inner - axis.divide;
+  const word = { bold: true, x: font * 0.3, end: 'left' } as const;
+  const words = [
+    { ...word, text: texts.wrong, y: divide - font * 0.8 },
+    { ...word, text: texts.right, y: divide + font * 0.8 },
+  ];
+  const flagged = flags(hung(inner - axis.right), bounds);
+  const wrong = together(
+    main.filter((point) => !isRight(point)),
+    place,
+    apart,
+  ).flatMap((group) =>
+    group.slice(0, 1).map((first) => ({
+      ...place(first),
+      lines: linesOfNames(group, shown, most * 1.5),
+    })),
+  );
+  const points = visible.map(place);
+  const taken = words.map((word) => boxOf(word, font));
+  const above = placeNames(wrong, points, taken, { ...bounds, bottom: divide });
+  const named = [...flagged.texts, ...above.texts].map((text) => boxOf(text, small));
+  const added = placeNames(namesOfAdded(shown, place, apart), points, [...taken, ...named], {
+    ...bounds,
+    bottom: inner - axis.right - radius,
+  });
   return {
     width,
     height,
     font,
     radius,
     left,
-    right: margin,
+    right: width - left - all,
     top,
     bottom,
     costs,
-    costTicks: logTicks(costs, across, font * 4.2),
+    // A number at the very end would be cut off.
+    costTicks: logTicks(costs, all, font * 4.2).filter(
+      (value) => share(value, costs) * all < all - font * 1.8,
+    ),
     axis,
-    errorTicks,
+    errorTicks: axis.ticks(),
     heightOf,
-    labels: placeLabels(labelsOf(shown, place), shown.visible.map(place), bounds, reserved),
+    words,
+    main: {
+      texts: [...flagged.texts, ...above.texts],
+      stems: [...flagged.stems, ...above.stems],
+    },
+    added,
   };
 }

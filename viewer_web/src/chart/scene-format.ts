@@ -1,9 +1,9 @@
-import { between, bool, list, oneOf, part, text } from '../trace/check.js';
+import { between, bool, list, oneOf, optional, part, text } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
 import { isFamily, methodNames } from '../trace/editions.js';
 import type { MethodName } from '../trace/editions.js';
 import type { Variant } from '../trace/events.js';
-import { count, editions, file, format, orNull, runOf, size, some } from './checks.js';
+import { color, count, editions, file, format, orNull, runOf, size, some } from './checks.js';
 
 /** The method that takes curves. */
 const curves = 'floating-horizon';
@@ -56,6 +56,14 @@ const runFields = part({
   wrongDecisions: count,
   depthUlps: ulps,
   front: part({ time: front, operations: front, bits: front }),
+  picture: optional(count),
+});
+
+/** The distinct pictures of the runs, the right one first, each as lengths and colours of runs of pixels in turn. */
+const pictures = part({
+  width: between(1, 1 << 16),
+  colors: list(color),
+  shown: some(list(count)),
 });
 
 const scene = part({
@@ -67,6 +75,7 @@ const scene = part({
   area: size,
   runs: some(runOf(runFields, count)),
   scene: file,
+  pictures: optional(pictures),
 });
 
 export const sceneChart = part({
@@ -75,6 +84,7 @@ export const sceneChart = part({
   scenes: some(scene),
 });
 
+export type ScenePictures = Checked<typeof pictures>;
 export type SceneRun = Checked<typeof runFields>;
 export type Scene = SceneChart['scenes'][number];
 export type SceneChart = Checked<typeof sceneChart>;

@@ -13,7 +13,7 @@ export type Setting = Pick<SceneRun, Told> | CurveSetting;
 /** What the series are grouped by: methods; or kernels, as curves have a single method. */
 export type Group = Method | CurveKernel;
 
-/** A group with one of its knobs or none. A series can be hidden. */
+/** A group with one of its knobs or none. The reader can add one to the main points. */
 export interface Series {
   readonly id: string;
   readonly group: Group;
@@ -43,7 +43,7 @@ const shapeOf: Readonly<Record<Knob | 'none', Shape>> = {
   window: 'diamond2',
   samples: 'square',
   tolerance: 'circle',
-  none: 'star',
+  none: 'circle',
 };
 
 /** The symbols of variants, by position. */
@@ -85,8 +85,9 @@ export const allSeries: readonly Series[] = groups.flatMap((group) =>
   [...knobsOf(group), null].map((knob) => ({ id: idOf(group, knob), group, knob })),
 );
 
-/** The identifier of the printed edition's toggle, which is beside those of the series. */
+/** Two series that are of no group: the text as printed, and the runs that nothing cheaper beats. */
 export const printed = 'printed';
+export const front = 'front';
 
 export function seriesId(setting: Setting): string {
   return idOf(groupOf(setting), setting.knob);
@@ -124,7 +125,11 @@ const shapeOfVariant = (variant: Variant): Shape =>
 export function lookOf({ id, group, knob }: Series): Look {
   return {
     color: `var(--${colorOf(group) ?? id})`,
-    shape: isVariant(group) ? shapeOfVariant(group) : shapeOf[knob ?? 'none'],
+    shape: isVariant(group)
+      ? shapeOfVariant(group)
+      : id === 'zbuffer-fixed'
+        ? 'square'
+        : shapeOf[knob ?? 'none'],
     isFilled: group === 'warnock' || isKernel(group),
     scale: isKernel(group) ? scaleOf(group) : 1,
   };
@@ -133,8 +138,4 @@ export function lookOf({ id, group, knob }: Series): Look {
 /** The look of a run's series. */
 export function look(setting: Setting): Look {
   return lookOf({ id: seriesId(setting), group: groupOf(setting), knob: setting.knob });
-}
-
-export function isHidden(setting: Setting, hidden: ReadonlySet<string>): boolean {
-  return hidden.has(seriesId(setting)) || (setting.edition === printed && hidden.has(printed));
 }

@@ -1,4 +1,4 @@
-import { between, list, oneOf, part, text } from '../trace/check.js';
+import { between, finite, list, oneOf, optional, part, text } from '../trace/check.js';
 import type { Checked } from '../trace/check.js';
 import { plainKernels } from '../trace/editions.js';
 import type { PlainKernel } from '../trace/editions.js';
@@ -33,6 +33,14 @@ const runFields = part({
   decisions: count,
   wrongDecisions: count,
   front: part({ time: front, operations: front, samples: front }),
+  picture: optional(count),
+});
+
+/** The distinct drawings of the runs, the right one first, each as lines with x and y of each point in turn. */
+const pictures = part({
+  width: between(1, 1 << 16),
+  height: between(1, 1 << 16),
+  shown: some(list(list(finite))),
 });
 
 const surface = part({
@@ -41,6 +49,7 @@ const surface = part({
   columns: between(1, Number.MAX_SAFE_INTEGER),
   runs: some(runOf(runFields, size)),
   surface: file,
+  pictures: optional(pictures),
 });
 
 export const surfaceChart = part({
@@ -49,6 +58,7 @@ export const surfaceChart = part({
   surfaces: some(surface),
 });
 
+export type SurfacePictures = Checked<typeof pictures>;
 export type CurveRun = Checked<typeof runFields>;
 export type Surface = SurfaceChart['surfaces'][number];
 export type SurfaceChart = Checked<typeof surfaceChart>;

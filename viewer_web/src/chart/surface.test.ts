@@ -1,9 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
-import { curveRunOf, sample, surfaceOf, surfaceSample } from '../testing/charts.js';
-import { adviceText } from './advice-words.js';
-import { adviceOf } from './advice.js';
+import { curveRunOf, sample, surfaceSample } from '../testing/charts.js';
+import { adviceText } from './advice.js';
 import { parseChoice } from './choice.js';
 import type { Choice } from './choice.js';
 import { look, seriesId } from './series.js';
@@ -68,13 +67,11 @@ describe('the peak between two samples', () => {
   it('is missed by 9 samples per curve, but not by 10 adaptive ones in all', () => {
     expect(told('double', 9)).toEqual([
       'double, 9 samples per curve',
-      'corrected',
       'Samples: 27',
       'Height missed: 6 px',
     ]);
     expect(told('exact', 0.5)).toEqual([
       'exact, tolerance 0.5 px',
-      'corrected',
       'Samples: 10',
       'Height missed: 0 px',
     ]);
@@ -82,49 +79,38 @@ describe('the peak between two samples', () => {
   });
 
   it('needs a tolerance below its height, or an even sample on every second column', () => {
-    const advice = adviceOf(surfaceSample.surfaces.slice(0, 1), 'samples');
-    expect(advice?.cheapest.setting).toMatchObject({ knob: 'tolerance', value: 4 });
-    expect(advice?.safe?.setting).toMatchObject({ kernel: 'filtered', value: 4 });
-    // These are 2 and 3 samples per curve and the tolerances 16 and 8, under four kernels.
-    expect(advice?.cheaper).toHaveLength(4 * 4);
+    const { main, answer } = shown({ ...peak, cost: 'samples' });
+    expect(answer.cheapest?.setting).toMatchObject({ knob: 'tolerance', value: 4 });
+    expect(answer.safe?.setting).toMatchObject({ kernel: 'filtered', value: 4 });
     // The corners are over the columns 8, 10 and 12. 17 samples per curve include them: 51 instead of 10.
-    expect(advice?.others.map(({ setting, cost }) => [setting.value, cost])).toEqual([[17, 51]]);
-    expect(advice?.neverRight).toEqual(['fixed']);
-    expect(advice?.losses).toEqual({ height: 0, decisions: new Map() });
+    const turned = main.filter(({ setting }) => setting.knob !== null);
+    const densest = turned.filter(({ setting }) => setting.value === 33);
+    expect(densest.map(({ setting }) => setting.kernel).sort()).toEqual([
+      'double',
+      'exact',
+      'filtered',
+      'float',
+    ]);
+    const fewer = turned.filter((point) => !densest.includes(point));
+    expect(fewer.map(({ setting, cost }) => [setting.value, cost])).toEqual([
+      [4, 10],
+      [17, 51],
+    ]);
+    // Besides, the samples of the file under four kernels.
+    expect(main).toHaveLength(4 + 4 + 2);
   });
 
   it.each([
     [
       'en',
-      /^“filtered, tolerance 4 px” .*\(samples 10\)\. .*: 16, .* 1\.01% of the columns\. Its curves match the function/u,
+      'filtered, tolerance 4 px is the cheapest right run, and it is right everywhere, since it decides as exact arithmetic does.',
     ],
     [
       'ru',
-      /^«filtered, допуск 4 пикс\.» .*\(отсчёты: 10\)\. .*: 16, .* 1,01 % столбцов\. Его кривые ни над/u,
+      'filtered, допуск 4 пикс. — самый дешёвый верный прогон, и он верен везде: его решения те же, что в точной арифметике.',
     ],
   ] as const)('is explained in %s', (language, text) => {
-    const all = shown({ ...peak, cost: 'samples' }, language);
-    expect(plain(adviceText(adviceOf(all.view.subjects, 'samples'), all))).toMatch(text);
-  });
-});
-
-describe('what a surface loses', () => {
-  it('is height between the samples, and decisions by arithmetic', () => {
-    const runs = [
-      curveRunOf({ kernel: 'float', time: 3, wrongDecisions: 1 }),
-      curveRunOf({ kernel: 'float', time: 2, height: 0.25, wrongDecisions: 2 }),
-      curveRunOf({ kernel: 'float', edition: 'printed', wrongDecisions: 9 }),
-      curveRunOf({ kernel: 'double', time: 1, wrongColumns: 1 }),
-    ].map((run, value) => ({ ...run, knob: 'samples' as const, value }));
-    const advice = adviceOf([surfaceOf(runs)], 'time');
-    expect(advice?.cheapest.run).toBe(runs[1]);
-    expect(advice?.losses).toEqual({ height: 0.25, decisions: new Map([['float', 0.2]]) });
-    const all = shown({}, 'en', { ...surfaceSample, surfaces: [surfaceOf(runs)] });
-    expect(adviceText(advice, all)).toMatch(/at most 0\.25 px from the function.*: float \(20%\)/u);
-  });
-
-  it('is not stated for scenes', () => {
-    expect(adviceOf(sample.scenes, 'time')?.losses).toBeNull();
+    expect(plain(adviceText(shown({ ...peak, cost: 'samples' }, language)))).toBe(text);
   });
 });
 
@@ -151,7 +137,7 @@ describe.each(languages)('in %s', (language) => {
         explanation(found),
         missingText(found) ?? '',
         sizeText(found) ?? '',
-        adviceText(adviceOf(found.view.subjects, cost), found),
+        adviceText(found),
         ...found.points.flatMap((point) => pointLines(point, found)),
       ];
       expect(said.join('\n')).not.toMatch(/undefined|null|NaN|\[object|\$\{/u);

@@ -45,12 +45,12 @@ describe('the address', () => {
       view: 'ordinary/Roofs <and> hills & a=b',
       cost: 'bits',
       error: 'depthUlps',
-      hidden: new Set(['warnock-bits', 'zbuffer-fixed', 'printed']),
+      series: 'warnock-bits',
     } as const;
     expect(parseChoice(formatChoice(choice))).toEqual(choice);
   });
 
-  it.each(['', '#', '#%%%', '#lang=xx&cost=__proto__&error=1&hide=x%20y'])(
+  it.each(['', '#', '#%%%', '#lang=xx&cost=__proto__&error=1&series=x%20y'])(
     'takes no nonsense: %s',
     (hash) => {
       expect(parseChoice(hash)).toEqual({
@@ -58,7 +58,7 @@ describe('the address', () => {
         view: null,
         cost: null,
         error: null,
-        hidden: new Set(),
+        series: null,
       });
     },
   );
@@ -122,7 +122,7 @@ describe('a variant of an algorithm', () => {
 
 describe('a point', () => {
   const shownIn = (view: string, language: 'en' | 'ru'): readonly string[] => {
-    const choice = { ...parseChoice(''), view, hidden: new Set(['warnock-bits']) };
+    const choice = { ...parseChoice(''), view };
     const shown = shownOf(sample, choice, language);
     const point = shown?.points.find(({ setting }) => setting.kernel === 'bits:4');
     if (!shown || !point) throw new Error('no such point');
@@ -134,7 +134,7 @@ describe('a point', () => {
     const run = sample.scenes[0]?.runs.find(({ kernel }) => kernel === 'bits:4');
     expect(shownIn('ordinary/Two walls', 'en')).toEqual([
       'Warnock bits:4',
-      'arithmetic of 4 bits · corrected',
+      'arithmetic of 4 bits',
       `Time: ×${number(run?.time ?? 0, 'en')} (${plain(duration(run?.seconds ?? 0, 'en'))})`,
       `Wrong pixels: ${percent((run?.wrongPixels ?? 0) / 1024, 'en')} (${String(run?.wrongPixels)} of 1,024)`,
     ]);
@@ -142,7 +142,7 @@ describe('a point', () => {
 
   it('of several scenes is described with means', () => {
     const [name, details, ...amounts] = shownIn('ordinary', 'ru');
-    expect([name, details]).toEqual(['Варнок bits:4', 'арифметика, бит: 4 · исправленный']);
+    expect([name, details]).toEqual(['Варнок bits:4', 'арифметика, бит: 4']);
     expect(amounts).toEqual([
       expect.stringMatching(/^Время: ×[\d,]+$/),
       expect.stringMatching(/^Неверные пиксели: [\d,]+ %$/),

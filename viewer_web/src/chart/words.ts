@@ -2,7 +2,7 @@ import type { Language } from '../language/language.js';
 import { duration, number, percent, ratio, whole } from './numbers.js';
 import { wholeOf } from './points.js';
 import type { Point } from './points.js';
-import { isOfCurves, isVariant } from './series.js';
+import { isOfCurves, isVariant, printed } from './series.js';
 import type { Setting } from './series.js';
 import type { Shown } from './shown.js';
 import { errorOf, isDistance, isSurface } from './subject.js';
@@ -33,6 +33,11 @@ export function runName(setting: Setting, worded: Worded): string {
   return `${worded.texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
 }
 
+/** The name of what the main points compare under several kernels: a method, or how a surface's curves are sampled. */
+export function groupName(setting: Setting, worded: Worded): string {
+  return isOfCurves(setting) ? samplingName(setting, worded) : worded.texts.methods[setting.method];
+}
+
 /** The name in places without details. Runs that differ in their smallest window have the same kernel. */
 export function fullName(setting: Setting, worded: Worded): string {
   const name = runName(setting, worded);
@@ -44,7 +49,7 @@ export function runDetails({ setting, complete }: Point, worded: Worded): string
   const { texts } = worded;
   const details = [
     isOfCurves(setting) ? null : turned(setting, worded),
-    texts.editions[setting.edition],
+    setting.edition === printed ? texts.editions.printed : null,
     complete ? null : texts.fault,
   ];
   return details.filter((each) => each !== null).join(' · ');
@@ -70,7 +75,7 @@ export function errorAmount({ error, run }: Point, shown: Shown): Amount {
   return [percent(error, language), texts.counted(counted, all)];
 }
 
-function inLine([shown, counted]: Amount): string {
+export function inLine([shown, counted]: Amount): string {
   return counted === null ? shown : `${shown} (${counted})`;
 }
 
@@ -78,9 +83,10 @@ function inLine([shown, counted]: Amount): string {
 export function pointLines(point: Point, shown: Shown): readonly string[] {
   const { texts, cost, error } = shown;
   const { setting } = point;
+  const details = runDetails(point, shown);
   return [
     runName(setting, shown),
-    runDetails(point, shown),
+    ...(details === '' ? [] : [details]),
     `${texts.costs[cost].name}: ${inLine(costAmount(point, shown))}`,
     `${texts.errors[error].name}: ${inLine(errorAmount(point, shown))}`,
   ];

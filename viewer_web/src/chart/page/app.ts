@@ -10,18 +10,18 @@ import { chartComplaint, chartTexts } from '../../i18n/chart.js';
 import { preferredLanguage } from '../../language/language.js';
 import type { Language } from '../../language/language.js';
 import { isRefusal } from '../../trace/refusal.js';
-import { adviceOf } from '../advice.js';
-import { adviceText } from '../advice-words.js';
 import { formatChoice, parseChoice } from '../choice.js';
 import type { Choice } from '../choice.js';
+import './advice-element.js';
 import './choices.js';
 import { colors } from './colors.style.js';
-import './front-element.js';
+import './panel-element.js';
 import './plot-element.js';
-import './replay-element.js';
-import './series-element.js';
+import './points-element.js';
+import './subject-element.js';
 import type { Chart } from '../format.js';
 import type { Point } from '../points.js';
+import { settingId } from '../series.js';
 import { embeddedChart, embeddedReplay, readChart } from '../format.js';
 import { shownOf } from '../shown.js';
 import type { Shown } from '../shown.js';
@@ -34,12 +34,19 @@ const chartStyle = css`
     min-height: 100dvh;
     padding: 0 0.6rem 0.6rem;
     gap: 0 0.9rem;
-    grid-template: 'header' 3.25rem 'choices' auto 'main' auto 'side' auto / minmax(0, 1fr);
+    grid-template: 'header' 3.25rem 'main' auto 'side' auto / minmax(0, 1fr);
     background: var(--paper);
   }
+  .question {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 0.2rem 1.2rem;
+    align-items: center;
+    justify-content: space-between;
+    padding-bottom: 0.5rem;
+  }
   vidno-choices {
-    grid-area: choices;
-    padding-bottom: 0.7rem;
+    padding-top: 0.7rem;
   }
   .notice {
     padding-bottom: 0.6rem;
@@ -64,16 +71,18 @@ const chartStyle = css`
     padding: 0.4rem;
   }
   vidno-plot {
-    height: 28rem;
+    height: 32rem;
+  }
+  h2 {
+    font-size: 1.375rem;
+    color: var(--ink);
   }
   .about {
     padding: 0.6rem 0.2rem;
     color: var(--soft);
   }
-  .about h2 {
-    margin: 0;
-    font-size: 1em;
-    color: var(--ink);
+  summary {
+    cursor: pointer;
   }
   aside {
     grid-area: side;
@@ -103,7 +112,7 @@ const chartStyle = css`
       min-height: 38rem;
       padding: 0 0.9rem 0.9rem;
       grid-template:
-        'header header' 3.25rem 'choices choices' auto 'main side' minmax(0, 1fr)
+        'header header' 3.25rem 'main side' minmax(0, 1fr)
         / minmax(0, 1fr) clamp(23rem, 27vw, 34rem);
     }
     .plot {
@@ -116,9 +125,7 @@ const chartStyle = css`
     .about {
       padding-bottom: 0;
     }
-    .front {
-      flex: 0 1 auto;
-      min-height: 8rem;
+    aside {
       overflow: auto;
       scrollbar-width: thin;
     }
@@ -126,6 +133,31 @@ const chartStyle = css`
   @media (min-width: 1600px) {
     :host {
       font-size: 1.125rem;
+    }
+  }
+  @media print {
+    :host {
+      display: block;
+      height: auto;
+    }
+    header,
+    vidno-choices,
+    vidno-subject,
+    vidno-panel,
+    vidno-points,
+    .about {
+      display: none;
+    }
+    .panel {
+      padding: 0;
+      border: 0;
+    }
+    vidno-plot {
+      height: auto;
+    }
+    vidno-advice {
+      width: 12cm;
+      margin-top: 0.5cm;
     }
   }
 `;
@@ -201,15 +233,13 @@ export class ChartElement extends LitElement {
 
   override updated(): void {
     document.documentElement.lang = this.language;
-    document.title = `${chartTexts[this.language].tagline} · vidno`;
+    document.title = `${chartTexts[this.language].question} · vidno`;
   }
 
   override render(): TemplateResult {
-    const texts = chartTexts[this.language];
     return html`
       <header>
         <h1>vidno</h1>
-        <p class="tagline">${texts.tagline}</p>
         <div class="tools">
           ${this.shown === null ? nothing : this.drop(true)}
           <vidno-languages
@@ -225,37 +255,39 @@ export class ChartElement extends LitElement {
   private page(shown: Shown): TemplateResult {
     const choose = ({ detail }: CustomEvent<Partial<Choice>>): void => this.choose(detail);
     const point = ({ detail }: CustomEvent<Point | null>): void => {
-      this.chosen = detail;
-      this.picked = detail ?? this.picked;
+      const id = detail && settingId(detail.setting);
+      this.chosen = shown.visible.find(({ setting }) => settingId(setting) === id) ?? null;
+      this.picked = this.chosen ?? this.picked;
     };
     return html`
-      <vidno-choices .shown=${shown} @choose=${choose}></vidno-choices>
       <main>
         ${this.notice()}
+        <div class="question">
+          <h2>${shown.texts.question}</h2>
+          <vidno-subject .shown=${shown} @choose=${choose}></vidno-subject>
+        </div>
         <div class="panel plot">
           <vidno-plot .shown=${shown} .chosen=${this.chosen} @point=${point}></vidno-plot>
         </div>
-        <div class="about">${about(shown)}</div>
+        <vidno-choices .shown=${shown} @choose=${choose}></vidno-choices>
+        <details class="about">${about(shown)}</details>
       </main>
       <aside>
-        <vidno-series class="panel" .shown=${shown} @choose=${choose}></vidno-series>
-        ${this.picking(shown)}
-        <div class="panel front">
-          <vidno-front .shown=${shown} .chosen=${this.chosen} @point=${point}></vidno-front>
-        </div>
+        <vidno-advice class="panel" .shown=${shown} @point=${point}></vidno-advice>
+        <vidno-panel
+          class="panel"
+          .shown=${shown}
+          .point=${this.picked ?? cheapestOf(shown)}
+          .page=${this.replay}
+        ></vidno-panel>
+        <vidno-points
+          class="panel"
+          .shown=${shown}
+          .chosen=${this.chosen}
+          @point=${point}
+        ></vidno-points>
       </aside>
     `;
-  }
-
-  /** The links of a point. There are none if the page of traces is unknown, or the chart does not contain the file. */
-  private picking(shown: Shown): TemplateResult | typeof nothing {
-    if (this.replay === null || !shown.hasFiles) return nothing;
-    return html`<vidno-replay
-      class="panel"
-      .shown=${shown}
-      .point=${this.picked}
-      .page=${this.replay}
-    ></vidno-replay>`;
   }
 
   private nothingOpen(): TemplateResult {
@@ -293,16 +325,16 @@ export class ChartElement extends LitElement {
   }
 }
 
+/** The cheapest right run, as the axes show it. */
+function cheapestOf({ answer, main }: Shown): Point | null {
+  const id = answer.cheapest && settingId(answer.cheapest.setting);
+  return main.find(({ setting }) => settingId(setting) === id) ?? null;
+}
+
 function about(shown: Shown): TemplateResult {
-  const { view, texts, cost } = shown;
-  const paragraphs = [
-    adviceText(adviceOf(view.subjects, cost), shown),
-    explanation(shown),
-    missingText(shown),
-    sizeText(shown),
-  ];
+  const paragraphs = [explanation(shown), missingText(shown), sizeText(shown)];
   return html`
-    <h2>${texts.whichRun}</h2>
+    <summary>${shown.texts.about}</summary>
     ${paragraphs.map((text) => (text === null ? nothing : html`<p>${text}</p>`))}
   `;
 }

@@ -2,18 +2,17 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../../elements/theme.js';
-import { kinds } from '../format.js';
-import type { Kind } from '../format.js';
-import { whole } from '../numbers.js';
+import { front, groups, isKernel, isVariant, printed } from '../series.js';
+import type { Series } from '../series.js';
 import type { Shown } from '../shown.js';
-import { nameIn } from '../../language/scene-name.js';
-import type { View } from '../subject.js';
+import { selectStyle } from './select.style.js';
 
-/** The choice of the subject and of the two axes. */
+/** The choice of the two axes, and of a series beside the main points. */
 @customElement('vidno-choices')
 export class ChoicesElement extends LitElement {
   static override styles = [
     base,
+    selectStyle,
     css`
       :host {
         display: flex;
@@ -21,22 +20,18 @@ export class ChoicesElement extends LitElement {
         gap: 0.5rem 1.25rem;
         align-items: center;
       }
-      .scene,
       fieldset {
         display: flex;
         gap: 0.5rem;
         align-items: center;
         min-width: 0;
       }
-      .scene > span,
       legend {
         float: left;
         color: var(--soft);
       }
       select {
-        min-width: 0;
-        max-width: clamp(10rem, 100vw - 65rem, 24rem);
-        padding: 0 0.5rem;
+        max-width: 13rem;
       }
       .segments {
         display: flex;
@@ -80,12 +75,12 @@ export class ChoicesElement extends LitElement {
         cursor: pointer;
       }
       @media (max-width: 640px) {
-        .scene,
+        .choice,
         fieldset {
           display: block;
           flex: 1 1 100%;
         }
-        .scene > span,
+        .choice > span,
         legend {
           float: none;
           font-size: 0.8125em;
@@ -101,34 +96,57 @@ export class ChoicesElement extends LitElement {
   @property({ attribute: false }) shown!: Shown;
 
   override render(): TemplateResult {
-    const { texts, subjectTexts, axes, cost, error } = this.shown;
+    const { texts, axes, cost, error } = this.shown;
     const costTexts = axes.costs.map((id) => [id, texts.costs[id].name] as const);
     const errorTexts = axes.errors.map((id) => [id, texts.errors[id].name] as const);
     return html`
-      <label class="scene">
-        <span>${subjectTexts.show}</span>
-        <select @change=${this.onScene}>
-          ${kinds.map((kind) => this.kind(kind))}
-        </select>
-      </label>
       ${this.segments('cost', texts.cost, costTexts, cost)}
-      ${this.segments('error', texts.error, errorTexts, error)}
+      ${this.segments('error', texts.error, errorTexts, error)} ${this.adding()}
     `;
   }
 
-  private kind(kind: Kind): TemplateResult | typeof nothing {
-    const views = this.shown.views.filter((view) => view.kind === kind);
-    if (views.length === 0) return nothing;
-    return html`<optgroup label=${this.shown.texts.kinds[kind]}>
-      ${views.map((view) => this.option(view))}
+  /** The series beside the main points: one at a time. */
+  private adding(): TemplateResult {
+    const { texts, series, hasPrinted } = this.shown;
+    const kinds = groups.filter((group) => !isVariant(group));
+    const variants = series.filter(({ group }) => isVariant(group));
+    return html`<label class="choice">
+      <span>${texts.add}</span>
+      <select name="series" @change=${this.onSeries}>
+        ${this.seriesOption('', texts.nothingMore)} ${this.seriesOption(front, texts.front)}
+        ${hasPrinted ? this.seriesOption(printed, texts.printed) : nothing}
+        ${kinds.map((group) =>
+          this.seriesGroup(
+            isKernel(group) ? group : texts.methods[group],
+            series.filter((each) => each.group === group),
+          ),
+        )}
+        ${this.seriesGroup(texts.variants, variants)}
+      </select>
+    </label>`;
+  }
+
+  private seriesGroup(name: string, series: readonly Series[]): TemplateResult | typeof nothing {
+    if (series.length === 0) return nothing;
+    return html`<optgroup label=${name}>
+      ${series.map((each) => this.seriesOption(each.id, this.seriesName(each)))}
     </optgroup>`;
   }
 
-  private option({ id, name, kind, subjects }: View): TemplateResult {
-    const { texts, view, language } = this.shown;
-    return html`<option value=${id} .selected=${id === view.id}>
-      ${name === null ? texts.allOf[kind](whole(subjects.length, language)) : nameIn(language, name)}
+  private seriesName({ group, knob }: Series): string {
+    const { texts, subjectTexts } = this.shown;
+    if (knob !== null) return texts.knobs[knob];
+    return isVariant(group) ? texts.variantNames[group] : subjectTexts.fixed;
+  }
+
+  private seriesOption(id: string, name: string): TemplateResult {
+    return html`<option value=${id} .selected=${id === (this.shown.chosenSeries ?? '')}>
+      ${name}
     </option>`;
+  }
+
+  private onSeries(event: Event): void {
+    this.choose({ series: (event.target as HTMLSelectElement).value || null });
   }
 
   private segments(
@@ -154,10 +172,6 @@ export class ChoicesElement extends LitElement {
         )}
       </div>
     </fieldset>`;
-  }
-
-  private onScene(event: Event): void {
-    this.choose({ view: (event.target as HTMLSelectElement).value });
   }
 
   private choose(detail: object): void {

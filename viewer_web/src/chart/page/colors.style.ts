@@ -6,18 +6,17 @@ import { css } from 'lit';
  */
 export const colors = css`
   :host {
-    --band: #eef1f5;
-    --front: #171b24;
+    --right-wash: #e9f4ec;
     --warnock-bits: #0072b2;
     --warnock-depth: #56606f;
     --warnock-grid: #00825f;
     --warnock-window: #2f97d6;
-    --warnock-fixed: var(--ink);
+    --warnock-fixed: #0072b2;
     --zbuffer-bits: #d55e00;
     --zbuffer-depth: #bd7b00;
     --zbuffer-grid: #b4568c;
     --zbuffer-window: #56606f;
-    --zbuffer-fixed: var(--ink);
+    --zbuffer-fixed: #c24d00;
     --weiler-atherton-fixed: #c2185b;
     --variant-1: #8c5e00;
     --variant-2: #00608f;
@@ -32,11 +31,12 @@ export const colors = css`
     --kernel-4: var(--ink);
     --kernel-5: #b4568c;
   }
-  @media (prefers-color-scheme: dark) {
+  @media screen and (prefers-color-scheme: dark) {
     :host {
-      --band: #222833;
-      --front: #ffffff;
+      --right-wash: #17281d;
       --warnock-bits: #3d9be0;
+      --warnock-fixed: #3d9be0;
+      --zbuffer-fixed: #f07a22;
       --warnock-depth: #9aa5b5;
       --warnock-grid: #19b98c;
       --warnock-window: #8fd0f5;
@@ -56,6 +56,11 @@ export const colors = css`
       --kernel-2: #f07a22;
       --kernel-3: #19b98c;
       --kernel-5: #dd8fbb;
+    }
+  }
+  @media print {
+    :host {
+      --right-wash: #eeeeee;
     }
   }
 `;

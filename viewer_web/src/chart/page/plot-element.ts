@@ -11,6 +11,9 @@ import type { Shown } from '../shown.js';
 import { pointLines } from '../words.js';
 import { colors } from './colors.style.js';
 
+/** The plot on paper: 8 cm wide, as a column of a paper, with letters of 7 points. */
+const column = { width: (8 / 2.54) * 96, height: (8 / 2.54) * 96, font: (7 / 72) * 96 };
+
 /** The plot, with keyboard navigation through its points. */
 @customElement('vidno-plot')
 export class PlotElement extends LitElement {
@@ -32,9 +35,28 @@ export class PlotElement extends LitElement {
         --plot-background: var(--panel);
         display: block;
       }
-      .canvas text,
-      .canvas tspan {
+      text,
+      tspan {
         white-space: pre;
+      }
+      .printed {
+        display: none;
+        width: 8cm;
+      }
+      .printed svg {
+        --plot-background: var(--panel);
+        display: block;
+        width: 100%;
+        height: auto;
+      }
+      @media print {
+        .canvas {
+          display: none;
+        }
+        .printed {
+          --line: #d8d8d8;
+          display: block;
+        }
       }
       .said {
         position: absolute;
@@ -49,6 +71,7 @@ export class PlotElement extends LitElement {
   @property({ attribute: false }) shown!: Shown;
   @property({ attribute: false }) chosen: Point | null = null;
   @query('.canvas') private canvas!: HTMLElement;
+  @query('.printed') private printed!: HTMLElement;
 
   private readonly size = new OwnSize(this);
 
@@ -56,7 +79,10 @@ export class PlotElement extends LitElement {
     const { width, height } = this.size.value;
     if (width === 0) return;
     const { shown, chosen, canvas } = this;
-    canvas.replaceChildren(drawPlot(shown, layoutOf(shown, width, height), chosen));
+    const screen = layoutOf(shown, width, height);
+    canvas.replaceChildren(drawPlot(shown, screen, { chosen, inInk: false }));
+    const paper = layoutOf(shown, column.width, column.height, column.font);
+    this.printed.replaceChildren(drawPlot(shown, paper, { chosen: null, inInk: true }));
   }
 
   override render(): TemplateResult {
@@ -73,6 +99,7 @@ export class PlotElement extends LitElement {
         @pointermove=${() => this.choose(null)}
         @click=${this.onClick}
       ></div>
+      <div class="printed"></div>
       <p class="said" id="keys">${texts.keys}</p>
       <p class="said" aria-live="polite">${said}</p>
     `;

@@ -4,7 +4,7 @@ import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
 
 export const chart = {
-  tagline: 'what a correct picture costs',
+  question: 'What does a right picture cost?',
   ownFile: 'Your own chart',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json',
@@ -21,7 +21,11 @@ export const chart = {
     `curves: ${curves} · columns of all curves: ${columns} · the cost of drawing alone, without that of sampling`,
   cost: 'Cost',
   error: 'Error',
-  series: 'Shown',
+  add: 'Add',
+  nothingMore: 'nothing',
+  right: 'right',
+  wrong: 'wrong',
+  cheapestMark: 'the cheapest right one',
   methods: { ...methodTitles('en'), ...family.methods },
   /** Warnock's algorithm. */
   variants: 'Variants of Warnock',
@@ -42,16 +46,9 @@ export const chart = {
     samples: (value: string): string => `${value} samples per curve`,
     tolerance: (value: string): string => `tolerance ${value} px`,
   },
-  /** How a surface's curves may be sampled. */
-  samplings: {
-    samples: 'evenly spaced samples',
-    tolerance: 'samples within a tolerance',
-    fixed: 'samples from the file',
-  },
-  editions: { corrected: 'corrected', printed: 'as printed' },
+  editions: { printed: 'as printed' },
   fault: 'stopped by a fault',
   printed: 'text as printed',
-  printedLabel: (kernel: string): string => `${kernel}, printed`,
   costs,
   errors,
   counted: (part: string, all: string): string => `${part} of ${all}`,
@@ -59,43 +56,34 @@ export const chart = {
     depthUlps: (count: string): string => `${count} ulps`,
     height: (count: string): string => `${count} px`,
   },
+  about: 'What the axes measure',
   reading:
-    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; their series are spread out only to tell them apart.',
+    'Farther left is cheaper. Above the line the picture is wrong, the higher the worse; below it the picture is right.',
   missing: (kernels: string): string =>
     `Not shown because their numbers have no fixed width: ${kernels}.`,
-  rightPicture: (share: string): string => `the correct picture itself: ${share}`,
   plot: (cost: string, error: string): string => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
-  front: 'The front: no other run is both as cheap and as right',
-  frontMark: 'the front',
+  front: 'the front: nothing is cheaper and as right',
+  table: 'The points as a table',
   run: 'Run',
   whichRun: 'Which run to choose',
-  losses: {
-    nothing: 'Its curves match the function over every column.',
-    height: (pixels: string): string => `Its curves are at most ${pixels} from the function.`,
-    noDecision:
-      'No run of the corrected text makes a wrong decision: the error comes from the samples alone.',
-    decisions: (kernels: string): string =>
-      `The error comes from the samples and from arithmetic. Wrong decisions in a run of the corrected text, at most: ${kernels}.`,
+  advice: {
+    cheapest: 'Cheapest right here',
+    safe: 'Cheapest right everywhere',
+    wrong: 'Cheaper, but wrong',
+    same: (run: string): string =>
+      `${run} is the cheapest right run, and it is right everywhere, since it decides as exact arithmetic does.`,
+    safer: (run: string, times: string): string =>
+      `${run} is the cheapest right run; one that is right everywhere, not only here, costs ${times} times as much.`,
+    unsafe: (run: string): string =>
+      `${run} is the cheapest right run; by this measure, no run that is right everywhere has a cost.`,
   },
-  operations: {
-    windows: (share: string): string => `${share} of its operations take a window from the stack`,
-    boxes: (share: string): string => `${share} of its operations are box tests`,
-    depths: (share: string): string => `${share} of its operations are depths of planes`,
-    orientations: (share: string): string => `${share} of its operations are orientation tests`,
-    comparisons: (share: string): string => `${share} of its operations are comparisons of depths`,
-    intersections: (share: string): string => `${share} of its operations are intersections`,
-    rows: (share: string): string => `${share} of its operations find the ends of rows`,
-    edges: (share: string): string => `${share} of its operations are steps of edges`,
-    visibilities: (share: string): string =>
-      `${share} of its operations compare a curve with the horizons`,
-    horizons: (share: string): string => `${share} of its operations set a horizon`,
-    steps: (share: string): string => `${share} of its operations search for a crossing`,
-    crossings: (share: string): string => `${share} of its operations compute a crossing`,
-  },
-  replay: {
+  noRun: 'none',
+  panel: {
     title: 'The chosen run',
     hint: 'Click a point, or choose one by keyboard.',
+    own: 'Its picture',
+    right: 'The exact one',
     replay: 'Replay this run',
     compare: 'Compare with the exact run',
     unlinked: {
