@@ -304,7 +304,7 @@ const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice) {
+    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice, vidno-tour, .offer) {
       display: none;
     }
     main {
@@ -528,14 +528,14 @@ export class AppElement extends LitElement implements Shown, Told {
   private openFile(file: File): void {
     this.ways.leave();
     this.turnToContents(false);
-    this.reading.close();
-    void this.session.openFile(file);
+    void this.session.openFile(file, this.closeText);
   }
 
   reopen(file: File, place: PlaceInFile): void {
-    this.reading.close();
-    void this.session.openFile(file, { ...place, bookmarks: [] });
+    void this.session.openFile(file, this.closeText, { ...place, bookmarks: [] });
   }
+
+  private readonly closeText = (): void => this.reading.close();
 
   private turnText(): void {
     if (!this.hasText || this.session.isCompared) return;
@@ -708,16 +708,14 @@ export class AppElement extends LitElement implements Shown, Told {
 
   private openEntry({ name }: Entry): void {
     this.ways.leave();
-    this.reading.close();
     this.session.rival.choose(null);
-    void this.session.openEntry(name);
+    void this.session.openEntry(name, undefined, this.closeText);
   }
 
   private openSurface(name: string): void {
     this.ways.leave();
     this.turnToContents(false);
-    this.reading.close();
-    this.session.openSurface(name);
+    this.session.openSurface(name, this.closeText);
     this.player.isEdited = true;
   }
 
