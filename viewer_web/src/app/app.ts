@@ -40,6 +40,7 @@ import { contents, reader } from './beside.js';
 import type { Told } from './beside.js';
 import { Breaking } from './breaking.js';
 import { heading, invitation, notices } from './heading.js';
+import { Messages } from './messages.js';
 import { Navigation } from './navigation.js';
 import type { PlaceInFile } from './navigation.js';
 import './page-header.js';
@@ -387,6 +388,7 @@ export class AppElement extends LitElement implements Shown, Told {
     () => this.ways.leave(),
   );
   private readonly keyboard = new Keyboard(this, () => this.actions(), true);
+  readonly messages = new Messages(this, () => (this.session.trace === null ? null : this.stage));
 
   override connectedCallback(): void {
     super.connectedCallback();
