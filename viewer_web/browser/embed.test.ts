@@ -183,6 +183,26 @@ describe('the element', () => {
     expect(await page.locator('vidno-notice p.failed').textContent()).toMatch(message);
   });
 
+  it('is as high as the sentence that says so', async () => {
+    const { page } = await course(`<vidno-player src="#nowhere"></vidno-player>`);
+    await page.locator('vidno-notice p.failed').waitFor();
+    expect((await page.locator('vidno-player').boundingBox())?.height).toBeLessThan(100);
+  });
+
+  it('keeps the keys that it uses from the slides around it, and no others', async () => {
+    const { page } = await course(
+      `<vidno-player src="#run" controls="small"></vidno-player>${block}`,
+      `<script>heard = []; addEventListener('keydown', ({ key }) => heard.push(key));</script>`,
+    );
+    await page.locator('.sentence').waitFor();
+    await page.locator('.play').focus();
+    // Step and menu keys are used; there is no panel to open or leave, and PageDown is a key of slides.
+    for (const key of ['ArrowRight', ' ', ' ', 'c', 'c', 'Escape', 'x', 'PageDown']) {
+      await page.keyboard.press(key);
+    }
+    expect(await page.evaluate('heard')).toEqual(['Escape', 'x', 'PageDown']);
+  });
+
   const policy = (scripts: string): string =>
     `<meta http-equiv="Content-Security-Policy" content="worker-src 'none'; script-src ${scripts}">`;
 
@@ -219,6 +239,32 @@ describe('the element', () => {
 });
 
 describe('the page in a frame', () => {
+  it('is moved by messages of the page around it, and tells it each step', async () => {
+    const file = join(folder, 'slides.html');
+    writeFileSync(
+      file,
+      `<!doctype html><script>told = []; addEventListener('message', ({ data }) => told.push(data.step));</script>
+       <iframe width="800" height="450" src="${dist}index.html#embed&step=3"></iframe>`,
+    );
+    const { page } = await openUrl(browser, pathToFileURL(file).href);
+    const frame = page.frameLocator('iframe');
+    await frame.locator('.sentence').waitFor();
+    const send = (message: unknown): Promise<void> =>
+      page.evaluate((data) => frames[0]?.postMessage(data, '*'), message);
+    const told = (): Promise<unknown> => page.evaluate('told');
+    await send({ vidno: 'what' });
+    await expect.poll(told).toEqual([3]);
+    await send({ vidno: 'next' });
+    await expect.poll(told).toEqual([3, 4]);
+    await send({ vidno: 'previous' });
+    await expect.poll(told).toEqual([3, 4, 3]);
+    await send({ vidno: 'go', step: 12 });
+    await send({ vidno: 'go', step: 'far' });
+    await expect.poll(told).toEqual([3, 4, 3, 12]);
+    await frame.locator('.procedures').press('ArrowRight');
+    await expect.poll(told).toEqual([3, 4, 3, 12, 13]);
+  });
+
   it('is the player alone, configured by the address', async () => {
     const first = await openUrl(browser, `${dist}index.html`);
     const button = first.page.locator('vidno-lesson-list button').first();

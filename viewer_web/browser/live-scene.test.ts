@@ -51,6 +51,35 @@ describe('a scene', () => {
     expect(faults).toEqual([]);
   });
 
+  it('is drawn even if a vertex is almost infinitely far away', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const vertices = [
+      [0, 0, 0],
+      [1e308, 0, 0],
+      [0, 8, 0],
+    ];
+    await openScene(page, scene([{ ...triangle, vertices }]));
+    const box = await page.locator('vidno-picture > svg').getAttribute('viewBox');
+    expect(box?.split(' ').map(Number).every(Number.isFinite)).toBe(true);
+    expect(faults).toEqual([]);
+  });
+
+  it('whose run is too long offers a shorter one', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const vertices = (z: number): unknown => [
+      [0, z, z],
+      [500, 3, z],
+      [1, 499, -z],
+    ];
+    const two = [0, 0.5].map((z, i) => ({ ...triangle, id: `T${i}`, vertices: vertices(z) }));
+    await openFile(page, 'large.json', scene(two, 512));
+    const notice = page.locator('vidno-notice p').first();
+    await expect.poll(() => notice.innerText()).toContain('The run is longer than 1,000,000 steps');
+    await page.getByRole('button', { name: 'detail “windows”' }).click();
+    await notice.waitFor({ state: 'detached' });
+    expect(faults).toEqual([]);
+  });
+
   it('that is invalid leaves the previous run, its title and its scene as they were', async () => {
     const { page } = await editing(browser);
     await goTo(page, 5);

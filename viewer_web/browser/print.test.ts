@@ -48,6 +48,13 @@ describe('on paper', () => {
     await page.locator('.pixels').first().waitFor({ state: 'detached' });
   });
 
+  it('has no offer of the tour in a lesson', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await page.emulateMedia({ media: 'print' });
+    await page.locator('.offer').waitFor({ state: 'attached' });
+    expect(await page.locator('.offer').isVisible()).toBe(false);
+  });
+
   it('says how many rows of a long list do not fit on the sheet', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'stack.jsonl', stackOf(12));

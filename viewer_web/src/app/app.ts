@@ -40,6 +40,7 @@ import { contents, reader } from './beside.js';
 import type { Told } from './beside.js';
 import { Breaking } from './breaking.js';
 import { heading, invitation, notices } from './heading.js';
+import { Messages } from './messages.js';
 import { Navigation } from './navigation.js';
 import type { PlaceInFile } from './navigation.js';
 import './page-header.js';
@@ -304,7 +305,7 @@ const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice) {
+    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice, vidno-tour, .offer) {
       display: none;
     }
     main {
@@ -387,6 +388,7 @@ export class AppElement extends LitElement implements Shown, Told {
     () => this.ways.leave(),
   );
   private readonly keyboard = new Keyboard(this, () => this.actions(), true);
+  readonly messages = new Messages(this, () => (this.session.trace === null ? null : this.stage));
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -528,14 +530,14 @@ export class AppElement extends LitElement implements Shown, Told {
   private openFile(file: File): void {
     this.ways.leave();
     this.turnToContents(false);
-    this.reading.close();
-    void this.session.openFile(file);
+    void this.session.openFile(file, this.closeText);
   }
 
   reopen(file: File, place: PlaceInFile): void {
-    this.reading.close();
-    void this.session.openFile(file, { ...place, bookmarks: [] });
+    void this.session.openFile(file, this.closeText, { ...place, bookmarks: [] });
   }
+
+  private readonly closeText = (): void => this.reading.close();
 
   private turnText(): void {
     if (!this.hasText || this.session.isCompared) return;
@@ -708,16 +710,14 @@ export class AppElement extends LitElement implements Shown, Told {
 
   private openEntry({ name }: Entry): void {
     this.ways.leave();
-    this.reading.close();
     this.session.rival.choose(null);
-    void this.session.openEntry(name);
+    void this.session.openEntry(name, undefined, this.closeText);
   }
 
   private openSurface(name: string): void {
     this.ways.leave();
     this.turnToContents(false);
-    this.reading.close();
-    this.session.openSurface(name);
+    this.session.openSurface(name, this.closeText);
     this.player.isEdited = true;
   }
 

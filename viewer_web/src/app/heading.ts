@@ -24,7 +24,13 @@ export function heading(session: Session, name: string, language: Language): Tem
 export function notices(session: Session, language: Language): TemplateResult {
   const { notice, rival } = session;
   const go = ({ detail: step }: CustomEvent<number>): void => session.move({ step });
-  return html`${noticeOf(notice, language, () => session.stop(), go)}
+  return html`${noticeOf(
+    notice,
+    language,
+    () => session.stop(),
+    go,
+    () => session.coarsen(),
+  )}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
 
@@ -39,6 +45,7 @@ function noticeOf(
   language: Language,
   stop: () => void,
   go: ((event: CustomEvent<number>) => void) | null = null,
+  coarsen: (() => void) | null = null,
 ): TemplateResult {
   return html`<vidno-notice
     class=${notice?.kind ?? nothing}
@@ -47,5 +54,6 @@ function noticeOf(
     ?leads=${go !== null}
     @stop=${stop}
     @go=${go}
+    @coarsen=${coarsen}
   ></vidno-notice>`;
 }

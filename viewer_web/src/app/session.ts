@@ -19,7 +19,7 @@ import { Margins } from '../run/margins.js';
 import type { Spot } from '../run/sketch.js';
 import { ExactPicture } from '../run/exact.js';
 import { embeddedLibrary, moduleOf } from '../run/maker.js';
-import { noticeOf } from '../run/notice.js';
+import { noticeOf, noticeOfRun } from '../run/notice.js';
 import type { Notice } from '../run/notice.js';
 import { usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
@@ -30,6 +30,7 @@ import { isMesh, kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
 import { ownStep } from '../time/place.js';
+import { details } from '../trace/events.js';
 
 /** A place in a trace: the step, and what is marked. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
@@ -38,7 +39,15 @@ const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
 /** The place in the run of a failure that an address names; without a step of its own, the step where the failure shows. */
 type Wanted = Pick<Address, 'step' | 'pixel' | 'bookmarks' | 'rival'>;
 const whereSeen: Wanted = { step: null, pixel: null, bookmarks: [], rival: null };
-const unnamed = { entry: null, wanted: whereSeen };
+const nothing = (): void => undefined;
+
+/** How a failure is opened: from an entry of the atlas, if it has one, and at which place. */
+interface Named {
+  readonly entry: string | null;
+  readonly wanted: Wanted;
+  readonly arrive: () => void;
+}
+const unnamed: Named = { entry: null, wanted: whereSeen, arrive: nothing };
 
 function placeIn({ step: seenAt, pixel: seen }: Failure, wanted: Wanted): Place {
   const { step, pixel, bookmarks } = wanted;
@@ -54,6 +63,7 @@ interface OpenFailure extends Failure {
 interface Origin {
   readonly failure?: OpenFailure | null;
   readonly isUnsaved?: boolean;
+  readonly arrive?: () => void;
 }
 
 /** The word in an address for the run that is correct, if it has a scene of its own. */
@@ -95,6 +105,8 @@ export class Session implements ReactiveController {
   /** The name of the last request, which may be refused. */
   private asked = '';
   private stopReading = (): void => undefined;
+  /** Called before the next run of a scene takes the place of what is open. */
+  private arrive = nothing;
 
   constructor(
     host: ReactiveControllerHost,
@@ -115,6 +127,10 @@ export class Session implements ReactiveController {
       changed,
       began: () => (this.earlier = this.trace),
       traced: (trace) => this.showRun(trace),
+      slowed: (isSlow) => {
+        if (isSlow) this.say({ kind: 'running' });
+        else if (this.notice?.kind === 'running') this.say(null);
+      },
       refused: (messages) => {
         this.goal = null;
         this.say({ kind: 'refused', name: this.asked, messages });
@@ -164,7 +180,7 @@ export class Session implements ReactiveController {
   /** Whether a run, or the reason why there is none, will soon be shown. */
   get isOpening(): boolean {
     const { notice, live } = this;
-    return notice === null ? live.editing !== null : notice.kind === 'reading';
+    return notice === null ? live.editing !== null : /^(?:reading|running)$/u.test(notice.kind);
   }
 
   hostDisconnected(): void {
@@ -185,21 +201,29 @@ export class Session implements ReactiveController {
     else this.openScene(text, name, { check: false, ...run }, place);
   }
 
-  /** A trace opens at the place. */
-  async openFile(file: File, place = beginning): Promise<void> {
-    if (isMesh(file.name)) {
-      this.say({ kind: 'mesh', name: file.name });
+  /** A trace opens at the place. A refused file leaves everything as it is; `arrive` is called before another one is shown. */
+  async openFile(file: File, arrive: () => void, place = beginning): Promise<void> {
+    const { name } = file;
+    const kind = isMesh(name) ? 'mesh' : await kindOfFile(file);
+    if (kind === 'chart' || kind === 'mesh') {
+      this.say({ kind, name });
       return;
     }
-    const kind = await kindOfFile(file);
-    if (kind === 'trace') this.open(file, file.name, null, place);
-    else if (kind === 'chart') this.say({ kind, name: file.name });
-    else if (kind === 'failure') await this.openFailure(await textOf(file), file.name);
-    else this.openOwn(await textOf(file), file.name);
+    if (kind === 'trace') {
+      this.open(file, name, null, place, arrive);
+      return;
+    }
+    try {
+      const text = await textOf(file);
+      if (kind === 'failure') await this.openFailure(text, name, { ...unnamed, arrive });
+      else this.openOwn(text, name, arrive);
+    } catch (error) {
+      this.fail(name, error);
+    }
   }
 
   /** Opens an entry of the page's atlas by its name in the address. */
-  async openEntry(name: string, wanted: Wanted = whereSeen): Promise<void> {
+  async openEntry(name: string, wanted: Wanted = whereSeen, arrive = nothing): Promise<void> {
     const { failure } = this;
     if (failure !== null && this.entry === name) {
       this.move(placeIn(failure, wanted));
@@ -211,7 +235,7 @@ export class Session implements ReactiveController {
     const entries = await embeddedAtlas(document);
     const entry = entries.find((each) => each.name === name && each.scene !== undefined);
     if (entry === undefined) this.miss(name);
-    else await this.openFailure(entry.text, name, { entry: name, wanted });
+    else await this.openFailure(entry.text, name, { entry: name, wanted, arrive });
   }
 
   /**
@@ -221,7 +245,7 @@ export class Session implements ReactiveController {
   async openFailure(
     text: string,
     name: string,
-    { entry, wanted }: { readonly entry: string | null; readonly wanted: Wanted } = unnamed,
+    { entry, wanted, arrive }: Named = unnamed,
   ): Promise<void> {
     this.stopReading();
     this.say({ kind: 'reading', name });
@@ -236,7 +260,7 @@ export class Session implements ReactiveController {
     }
     const failure = { ...found.failure, entry };
     const { scene, fails } = failure;
-    this.openScene(scene, name, fails, placeIn(failure, wanted), { failure });
+    this.openScene(scene, name, fails, placeIn(failure, wanted), { failure, arrive });
     this.besideRemedy(failure, wanted);
   }
 
@@ -259,13 +283,13 @@ export class Session implements ReactiveController {
   }
 
   /** Opens a surface, chosen by the page, that is given by a function. */
-  openSurface(name: string): void {
-    this.openOwn(surfaceText(firstSurface(name)), name);
+  openSurface(name: string, arrive: () => void): void {
+    this.openOwn(surfaceText(firstSurface(name)), name, arrive);
   }
 
-  private openOwn(text: string, name: string): void {
+  private openOwn(text: string, name: string, arrive: () => void): void {
     const options: Options = isSurface(text) ? { ...usual, method: 'floating-horizon' } : usual;
-    this.openScene(text, name, options, beginning);
+    this.openScene(text, name, options, beginning, { arrive });
   }
 
   /** Opens a scene that an address stores. It may have unsaved changes from before. */
@@ -292,17 +316,25 @@ export class Session implements ReactiveController {
     return this.trace?.header.scene.name ?? '';
   }
 
-  /** Stops reading the file and keeps the steps read so far. */
+  /** Stops reading the file and keeps the steps read so far, or cancels a run. */
   stop(): void {
     this.stopReading();
+    if (this.notice?.kind === 'running') {
+      this.live.stop();
+      this.goal = null;
+    }
     const { trace, notice } = this;
     if (trace === null || notice?.kind !== 'growing') {
       this.say(null);
       return;
     }
+    this.cut(trace);
+    this.say(noticeOf(trace));
+  }
+
+  private cut(trace: Trace): void {
     trace.end('stopped');
     this.steps = trace.timeline.length;
-    this.say(noticeOf(trace));
   }
 
   move(change: Partial<Place>): void {
@@ -315,9 +347,10 @@ export class Session implements ReactiveController {
     name: string,
     options: Options,
     place: Place,
-    { failure = null, isUnsaved = false }: Origin = {},
+    { failure = null, isUnsaved = false, arrive = nothing }: Origin = {},
   ): void {
     this.stopReading();
+    this.arrive = arrive;
     this.asked = name;
     this.goal = place;
     this.next = failure;
@@ -334,6 +367,7 @@ export class Session implements ReactiveController {
     const { goal } = this;
     this.wait(goal === null);
     if (goal !== null) {
+      this.arrive();
       this.earlier = null;
       this.failure = this.next;
       this.next = null;
@@ -342,7 +376,12 @@ export class Session implements ReactiveController {
     const place = goal === null ? { step } : { ...goal, step: Math.min(goal.step, length) };
     this.show(trace, null, { ...this.place, ...place });
     this.goal = null;
-    this.say(noticeOf(trace));
+    this.say(noticeOfRun(trace));
+  }
+
+  /** Runs the current scene again with as few steps as possible. */
+  coarsen(): void {
+    this.live.act({ do: 'options', options: { detail: details[0] } });
   }
 
   /** Waits until the scene has not changed for a while. */
@@ -356,7 +395,13 @@ export class Session implements ReactiveController {
     }, rest);
   }
 
-  private open(file: Blob, name: string, lesson: string | null, place: Place): void {
+  private open(
+    file: Blob,
+    name: string,
+    lesson: string | null,
+    place: Place,
+    arrive = nothing,
+  ): void {
     this.stopReading();
     this.goal = null;
     this.earlier = null;
@@ -366,6 +411,7 @@ export class Session implements ReactiveController {
         const { length } = trace.timeline;
         if (this.trace === trace) this.steps = length;
         else if (trace.complete || length >= place.step) {
+          arrive();
           this.file = lesson === null && file instanceof File ? file : null;
           this.failure = null;
           if (lesson === null) this.checks?.doubt(trace);
@@ -375,7 +421,8 @@ export class Session implements ReactiveController {
         if (this.trace === trace) this.say(noticeOf(trace));
       },
       failed: (error) => {
-        if (this.trace?.complete === false) this.trace = null;
+        // The trace before may have been half read; it is shown as far as that.
+        if (this.trace?.complete === false) this.cut(this.trace);
         this.fail(name, error);
       },
     };

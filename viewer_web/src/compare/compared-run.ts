@@ -192,7 +192,7 @@ export class ComparedRunElement extends LitElement {
         <vidno-listing .trace=${trace} .view=${view} ?breakable=${this.breakable}></vidno-listing>
       </section>
       <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
-        <span class="at">${event?.at ?? '·'}</span><span>${statement(view.sentence)}</span>
+        <span class="at">${event?.at ?? '·'}</span> <span>${statement(view.sentence)}</span>
       </p>
     `;
   }

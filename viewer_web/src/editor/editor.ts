@@ -44,6 +44,8 @@ export interface Followers {
   began(): void;
   /** There is a trace of the current scene. */
   traced(trace: Trace): void;
+  /** A run takes long; later, it is over. */
+  slowed(isSlow: boolean): void;
   /** The library refused a scene file. */
   refused(messages: string): void;
   failed(error: unknown): void;
@@ -70,6 +72,7 @@ export class Editor {
       library,
       ({ trace, messages }) => this.take(trace, messages),
       (error) => followers.failed(error),
+      () => followers.slowed(true),
     );
   }
 
@@ -84,6 +87,12 @@ export class Editor {
   load(file: string, options: Options): void {
     this.adopts = { file, options };
     this.tracer.run(file, options);
+  }
+
+  /** Cancels the current run. */
+  stop(): void {
+    this.adopts = null;
+    this.tracer.forget();
   }
 
   get editing(): Editing {
@@ -195,6 +204,7 @@ export class Editor {
   private take(trace: Trace | null, messages: string): void {
     const { adopts, followers } = this;
     this.adopts = null;
+    followers.slowed(false);
     if (trace === null && adopts !== null) {
       followers.refused(messages);
       return;

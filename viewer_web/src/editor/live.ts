@@ -81,6 +81,11 @@ export class Live {
     return this.editor !== null;
   }
 
+  /** Cancels the current run. */
+  stop(): void {
+    this.editor?.stop();
+  }
+
   act(act: Act): void {
     this.link = null;
     this.editor?.act(act);

@@ -6,7 +6,7 @@ const isSummary = (target: EventTarget | undefined): boolean =>
   target instanceof HTMLElement && target.localName === 'summary';
 
 /** Whether the element in focus handles the key itself. */
-function takesKey(event: KeyboardEvent): boolean {
+export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
     if (event.key === 'Escape') return false;
@@ -14,7 +14,9 @@ function takesKey(event: KeyboardEvent): boolean {
     if (target.type === 'radio') return event.key === ' ' || event.key.startsWith('Arrow');
     return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
   }
-  if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
+  // A list keeps the focus after a choice, and changes it by the other two arrows, too.
+  if (target instanceof HTMLSelectElement) return !/^Arrow(?:Left|Right)$/.test(event.key);
+  if (target instanceof HTMLTextAreaElement) return true;
   const isPressed = target instanceof HTMLButtonElement || isSummary(target);
   return isPressed && event.key === ' ';
 }

@@ -2,7 +2,7 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  p:is(.reading, .failed, .refused, .unknown, .chart, .mesh, .shortened, .lost) {
+  p:is(.reading, .running, .failed, .refused, .unknown, .chart, .mesh, .shortened, .long, .lost) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -10,7 +10,7 @@ export const noticeStyle = css`
     font-size: 0.875rem;
     overflow-wrap: anywhere;
   }
-  p:is(.reading, .growing) {
+  p:is(.reading, .running, .growing) {
     display: inline-block;
     margin-right: 0.4rem;
   }
@@ -29,8 +29,10 @@ export const noticeStyle = css`
     color: var(--bad);
   }
   .faults {
+    max-height: 6.5rem;
     margin: 0.3rem 0 0;
     padding-left: 1.6rem;
+    overflow: auto;
     color: var(--bad);
     font-size: 0.875rem;
     overflow-wrap: anywhere;
@@ -39,7 +41,7 @@ export const noticeStyle = css`
     display: inline-block;
     margin-right: 0.4rem;
   }
-  p:is(.shortened, .lost) {
+  p:is(.shortened, .long, .lost) {
     background: var(--warn-wash);
     color: var(--warn);
   }

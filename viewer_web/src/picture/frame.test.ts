@@ -14,6 +14,13 @@ describe('the whole', () => {
     expect(whole.zoom).toBeNull();
   });
 
+  it('is shown also if a vertex lies farther away than doubles can tell', () => {
+    const far = new Frame(area, whole.size, null, [-1e308, 0, Infinity, 50]);
+    expect(far.shown.every(Number.isFinite)).toBe(true);
+    expect(far.scale).toBe(10);
+    expect(far.with(far.all).shown.every(Number.isFinite)).toBe(true);
+  });
+
   it('is unchanged when it is made smaller or moved', () => {
     for (const frame of [whole.zoomed(0.5, [3, 4]), whole.moved(100, -30)]) {
       expect(frame.zoom).toBeNull();

@@ -28,6 +28,8 @@ const most = 40;
 const apart = 5;
 /** CSS pixels around everything that the view can reach: the zoom buttons lie there, and knobs of vertices are whole. */
 const controls = 44;
+/** The view goes no farther than this many times the longer side of the area: numbers of pixels would overflow there. */
+const farthest = 1e6;
 /** The margin around the area as a share of its longer side. */
 const usualMargin = 0.07;
 
@@ -65,7 +67,11 @@ export class Frame {
     const { x, y, width, height } = area;
     const border = Math.max(width, height) * margin;
     this.whole = around([x, y, width, height], [border, border]);
-    const reach: Point = [farther(extent, this.whole, 0), farther(extent, this.whole, 1)];
+    const far = farthest * Math.max(width, height);
+    const reach: Point = [
+      Math.min(farther(extent, this.whole, 0), far),
+      Math.min(farther(extent, this.whole, 1), far),
+    ];
     const isWhole = reach[0] === 0 && reach[1] === 0;
     const fit = ([, , across, down]: Rectangle, room = 0): number =>
       Math.max(Math.min((size.width - 2 * room) / across, (size.height - 2 * room) / down), 1e-6);

@@ -23,6 +23,8 @@ export interface Timed {
 export interface Steered extends Timed {
   readonly trace: unknown;
   readonly controls: string;
+  readonly isFull: boolean;
+  readonly side: Side;
   readonly presenting: boolean;
   readonly presenter: Presenter;
   readonly predictor: Predictor;
@@ -52,18 +54,25 @@ function usualActions(player: Steered, shift: boolean): Actions {
   const { picture } = player;
   return {
     ...timeActions(player, shift),
-    Escape: () => player.escape(),
-    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    ...(player.isFull ? panelActions(player, shift) : {}),
     KeyC: () => player.listing.toggleSource(),
-    KeyX: () => player.toggleSide('exact'),
     KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
+    KeyF: () => player.present(!player.presenting),
+    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
+  };
+}
+
+/** What happens in the panels, which a player with few controls does not have. */
+function panelActions(player: Steered, shift: boolean): Actions {
+  return {
+    ...(player.side === 'predict' ? { Escape: () => player.escape() } : {}),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyX: () => player.toggleSide('exact'),
     KeyT: () => (shift ? void player.enterOutline() : player.toggleSide('outline')),
     KeyV: () => player.toggleSide('solid'),
     KeyQ: () => player.predictor.next(),
-    KeyF: () => player.present(!player.presenting),
-    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };
 }
 

@@ -16,6 +16,7 @@ import '../elements/divider.js';
 import { findingMarks } from '../exactness/finding-marks.js';
 import { marginMarks } from '../exactness/margin.js';
 import type { Margin } from '../exactness/margin.js';
+import { takesKey } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
 import { statement } from '../elements/statement.js';
 import { withTerms } from '../elements/term.js';
@@ -477,6 +478,9 @@ const embeddedStyle = css`
   :host([src]) {
     height: 36rem;
   }
+  :host([src][failed]) {
+    height: auto;
+  }
   /* The surrounding page determines the size. The content scrolls if it does not fit, and never covers the text around it. */
   :host([src]:not([presenting])) {
     overflow: auto;
@@ -589,6 +593,23 @@ export class PlayerElement extends StageElement {
     const words = { say: exact.margin, point: numbers.point };
     return marginMarks(margin, trace.header.scene.area, words);
   }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    // Last of the listeners: the others have used the key or not.
+    this.addEventListener('keydown', this.keepKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.removeEventListener('keydown', this.keepKey);
+  }
+
+  /** In another page, the slides there would turn by a key that was used here. */
+  private readonly keepKey = (event: KeyboardEvent): void => {
+    const isUsed = event.defaultPrevented || (!event.ctrlKey && takesKey(event));
+    if (this.src !== '' && isUsed) event.stopPropagation();
+  };
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
@@ -708,8 +729,8 @@ export class PlayerElement extends StageElement {
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
-              <span class="at">${view.event?.at ?? '·'}</span
-              ><span
+              <span class="at">${view.event?.at ?? '·'}</span>
+              <span
                 >${this.verdict(trace, view)}
                 ${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
               >

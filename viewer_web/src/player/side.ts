@@ -257,11 +257,11 @@ export class SideElement extends LitElement {
     }
   }
 
-  /** Beside the editor the lesson's parts of the state have little room: they scroll, also by keyboard. */
+  /** Beside the editor and on a projector the parts of the state have little room: they scroll, also by keyboard. */
   override updated(): void {
     const panel = this.renderRoot.lastElementChild;
     if (!(panel instanceof HTMLElement)) return;
-    if (this.parts !== null && this.edited === true) panel.tabIndex = 0;
+    if (this.bare || (this.parts !== null && this.edited === true)) panel.tabIndex = 0;
     else panel.removeAttribute('tabindex');
   }
 

@@ -7,7 +7,7 @@ import { noticeOf } from '../run/notice.js';
 import type { Notice } from '../run/notice.js';
 
 /** An element that shows the trace named by `src`. */
-export interface Sourced extends ReactiveControllerHost {
+export interface Sourced extends ReactiveControllerHost, HTMLElement {
   readonly src: string;
   step: number;
   trace: Trace | null;
@@ -49,6 +49,7 @@ export class Source implements ReactiveController {
     const { src } = this.host;
     if (src === this.opened) return;
     this.opened = src;
+    this.host.toggleAttribute('failed', false);
     this.stopReading();
     if (src !== '') void this.open(src);
   }
@@ -116,6 +117,7 @@ export class Source implements ReactiveController {
   private fail(name: string, error: unknown): void {
     this.notice = { kind: 'failed', name, error };
     this.host.trace = null;
+    this.host.toggleAttribute('failed', true);
     this.host.requestUpdate();
   }
 }

@@ -11,6 +11,9 @@ const atOnce = 12;
 const piece = 2 ** 17;
 /** A longer text would fill the memory of the page. */
 const mostBytes = 2 ** 30;
+/** The library holds a line in memory until it ends. No real line is so long. */
+const longestLine = 2 ** 26;
+const newline = 0x0a;
 
 /** The callbacks while a file is read. */
 export interface Readers {
@@ -30,11 +33,16 @@ function* piecesOf(part: Uint8Array): Generator<Uint8Array> {
  * Reads a trace, plain or gzip. Yields it before each part and at its end, so that the end brings new steps, by which the
  * components notice it. Throws Unreadable for a file that is not a trace, from its first event on.
  */
-export async function* read(file: Blob, most = mostBytes): AsyncGenerator<Trace> {
+export async function* read(
+  file: Blob,
+  most = mostBytes,
+  longest = longestLine,
+): AsyncGenerator<Trace> {
   await ready();
   const opening = new Opening();
   const unpacked = new Unpacked(file);
   let bytes = 0;
+  let line = 0;
   for await (const part of unpacked.pieces()) {
     for (const next of piecesOf(part)) {
       const { trace } = opening;
@@ -43,7 +51,10 @@ export async function* read(file: Blob, most = mostBytes): AsyncGenerator<Trace>
         yield trace;
       }
       bytes += next.length;
-      if (bytes > most && trace !== null) {
+      const end = next.lastIndexOf(newline);
+      line = end < 0 ? line + next.length : next.length - 1 - end;
+      if (line > longest && trace === null) throw new Unreadable('a line of more than 64 MiB');
+      if ((bytes > most || line > longest) && trace !== null) {
         trace.end('limit');
         yield trace;
         return;

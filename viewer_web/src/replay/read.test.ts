@@ -10,6 +10,7 @@ import {
   traceNames,
   traceOf,
 } from '../testing/traces.js';
+import { read } from './open.js';
 import { Unreadable } from './trace.js';
 
 const header = headerOf('warnock');
@@ -61,6 +62,15 @@ describe('a truncated trace is read up to the break', () => {
     expect(long.length).toBeGreaterThan(150_000);
     expect(timeline.length).toBeGreaterThan(100);
     expect(shortened).toEqual({ why: 'limit', line: timeline.length + 1 });
+  });
+
+  it('at a line that is too long to hold', async () => {
+    const [first = '', ...lines] = text.split('\n');
+    const blown = [first, ...lines.slice(0, 9), 'x'.repeat(2 ** 18)].join('\n');
+    const found = read(new Blob([zipped(blown)]), Infinity, 2 ** 17);
+    for await (const trace of found) if (trace.complete) expect(trace.shortened?.why).toBe('limit');
+    const headless = read(new Blob([zipped('x'.repeat(3000))]), Infinity, 1000);
+    await expect(headless.next()).rejects.toThrow('a line of more than 64 MiB');
   });
 
   it('by the run itself', async () => {

@@ -22,6 +22,13 @@ it.each([
   ['{"format":"vidno-scene/1","polygons":[', 'scene'],
   // A file that is not a scene is reported as a trace, line by line.
   ['{"e":"push","at":"W3"}\n{"e":"pop"}\n', 'trace'],
+  // Only the program reads meshes, whatever their files are named.
+  ['ply\nformat ascii 1.0\n', 'mesh'],
+  ['solid cube\n  facet normal 0 0 1\n', 'mesh'],
+  ['OFF\n8 6 12\n', 'mesh'],
+  ['# a cube\nmtllib cube.mtl\no Cube\nv 0 0 -1.5\n', 'mesh'],
+  ['v 1 2 3\nv 2 2 2\n', 'mesh'],
+  ['office\n', 'trace'],
   ['hello', 'trace'],
   ['', 'trace'],
   ['[1, 2]', 'trace'],
@@ -29,7 +36,7 @@ it.each([
   expect(kindOf(start)).toBe(kind);
 });
 
-it.each(['cube.obj', 'cube.OFF', 'a b.ply', 'part.Stl'])('%s is a mesh', (name) => {
+it.each(['cube.obj', 'cube.OFF', 'a b.ply', 'part.Stl', 'cube.obj.gz'])('%s is a mesh', (name) => {
   expect(isMesh(name)).toBe(true);
 });
 

@@ -1,7 +1,7 @@
 import { textStream } from '../base/file.js';
 
 /** The kind of a file. The library reads scenes, of polygons or of curves, and reports their errors. */
-export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';
+export type FileKind = 'scene' | 'failure' | 'chart' | 'mesh' | 'trace';
 
 /** The length of text that suffices to recognize a file. */
 const peek = 2 ** 16;
@@ -57,6 +57,14 @@ function isObject(text: string): boolean {
   }
 }
 
+/** How the meshes begin that the program reads: PLY, STL, OFF and, after comments, OBJ. */
+const meshes = [
+  /^ply\s/u,
+  /^solid\b[^\n]*\s+facet\b/u,
+  /^(?:ST)?C?N?4?n?OFF\s/u,
+  /^(?:#[^\n]*\s+|(?:mtllib|o|g|s|usemtl)\s[^\n]*\s+)*v\s+[-+.\d]/u,
+];
+
 /**
  * The kind of a text by its beginning. A text without identification is a trace if its first line could belong to one, or
  * if it is not an object at all.
@@ -66,6 +74,7 @@ export function kindOf(start: string): FileKind {
   if (said !== null) return said;
   const text = start.trimStart();
   const [first = ''] = text.split('\n');
+  if (meshes.some((beginning) => beginning.test(text))) return 'mesh';
   return text.startsWith('{') && !isObject(first) ? 'scene' : 'trace';
 }
 
@@ -73,8 +82,8 @@ export async function kindOfFile(file: Blob): Promise<FileKind> {
   return kindOf(await startOf(file));
 }
 
-/** Whether a file is a mesh, by its name: only the program reads meshes. */
-export const isMesh = (name: string): boolean => /\.(?:obj|off|ply|stl)$/iu.test(name);
+/** Whether a file is a mesh, by its name: only the program reads meshes. A binary one is recognized by that alone. */
+export const isMesh = (name: string): boolean => /\.(?:obj|off|ply|stl)(?:\.gz)?$/iu.test(name);
 
 /** The beginning of its text, as far as it can be read. */
 async function startOf(file: Blob): Promise<string> {

@@ -22,6 +22,8 @@ const startWorker = (): Worker => new Worker((vouched?.createScriptURL(own) ?? o
 
 /** Milliseconds after which work is cancelled in favour of a newer request. */
 const patience = 1000;
+/** Milliseconds after which a reader wants to know that there is work. */
+const quiet = 500;
 
 /** The page's library, a packed block of data; null if the page was built without it. */
 export function embeddedLibrary(page: Document): Blob | null {
@@ -55,6 +57,8 @@ export class Maker<W extends What> {
     private readonly what: W,
     private readonly tell: (answer: Answer<W>) => void,
     private readonly fail: (error: unknown) => void,
+    /** Called when a request takes long. */
+    private readonly tellSlow: () => void = () => undefined,
   ) {}
 
   get isBusy(): boolean {
@@ -95,6 +99,9 @@ export class Maker<W extends What> {
     const request = this.waiting;
     this.waiting = null;
     this.worker.postMessage({ turn, what: this.what, request } satisfies Order);
+    setTimeout(() => {
+      if (this.running?.turn === turn) this.tellSlow();
+    }, quiet);
   }
 
   private started(library: WebAssembly.Module): Worker {

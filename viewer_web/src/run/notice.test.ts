@@ -4,7 +4,7 @@ import { languages } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
-import { noticeOf } from './notice.js';
+import { noticeOf, noticeOfRun } from './notice.js';
 
 /** A trace that was read whole, with events of these names. */
 const traceOf = (...names: readonly EventName[]): Trace =>
@@ -22,6 +22,18 @@ describe('the notice about a run', () => {
   it('leads to the first of the steps at which something was lost', () => {
     const trace = traceOf('call', 'fault', 'clipped', 'fault');
     expect(noticeOf(trace)).toEqual({ kind: 'lost', step: 2, faults: 2 });
+  });
+
+  it.each([
+    ['signs', false],
+    ['windows', true],
+  ])('says that the page has ended it, at the level %s', (detail, isCoarse) => {
+    const ended = {
+      ...traceOf('call', 'clipped'),
+      header: { detail },
+      shortened: { why: 'partial', line: 3 },
+    } as unknown as Trace;
+    expect(noticeOfRun(ended)).toEqual({ kind: 'long', steps: 2, isCoarse });
   });
 
   it('is missing if nothing was lost', () => {

@@ -10,13 +10,14 @@ import type { Shortened } from '../replay/trace.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 import { unheld } from './packed.js';
-import { numberOf } from '../trace/events.js';
+import { details, numberOf } from '../trace/events.js';
 import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
 
 /** A notice about a file. */
 export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
+  | { readonly kind: 'running' }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
   | { readonly kind: 'unknown'; readonly name: string }
@@ -24,6 +25,8 @@ export type Notice =
   | { readonly kind: 'mesh'; readonly name: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened)
+  /** The page has ended a run after these many steps, because it is too long. */
+  | { readonly kind: 'long'; readonly steps: number; readonly isCoarse: boolean }
   /** The run lost something at these many steps, first at this one. */
   | { readonly kind: 'lost'; readonly step: number; readonly faults: number };
 
@@ -41,9 +44,19 @@ export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice
   return { kind: 'lost', step: first + 1, faults };
 }
 
+/** The notice about a run that the page has made. */
+export function noticeOfRun(trace: Trace): Notice | null {
+  const notice = noticeOf(trace);
+  if (notice?.kind !== 'shortened' || notice.why !== 'partial') return notice;
+  const { header, timeline } = trace;
+  return { kind: 'long', steps: timeline.length, isCoarse: header.detail === details[0] };
+}
+
 /** Progress is not announced at each change. */
 const roles = {
   reading: 'status',
+  running: 'status',
+  long: 'status',
   growing: nothing,
   unknown: 'alert',
   chart: 'alert',
@@ -56,7 +69,7 @@ const roles = {
 
 /**
  * One line about a file that is being read, was refused, or is incomplete, or about a run that lost something. An event `stop`
- * asks to stop reading it, and `go` to go to a step.
+ * asks to stop reading or running it, `go` to go to a step, and `coarsen` to run the scene with fewer steps.
  */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
@@ -72,7 +85,15 @@ export class NoticeElement extends LitElement {
     if (notice === null) return nothing;
     return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
       ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}
-      ${notice.kind === 'lost' && this.leads ? this.way(notice.step) : nothing}`;
+      ${notice.kind === 'lost' && this.leads ? this.way(notice.step) : nothing}
+      ${notice.kind === 'long' && !notice.isCoarse ? this.coarser() : nothing}`;
+  }
+
+  /** A shorter run, which the page can make as a whole. */
+  private coarser(): TemplateResult {
+    return html`<button @click=${() => this.dispatchEvent(new CustomEvent('coarsen'))}>
+      ${texts[this.language].page.coarsen}
+    </button>`;
   }
 
   /** The way to a step. */
@@ -88,13 +109,13 @@ export class NoticeElement extends LitElement {
     const all = faultsOf(messages);
     if (all.length < 2) return nothing;
     const { scene } = texts[this.language];
-    return html`<ul class="faults">
+    return html`<ul class="faults" tabindex="0">
       ${all.map((fault) => html`<li>${inWordsOf(fault, scene)}</li>`)}
     </ul>`;
   }
 
   private stopOf({ kind }: Notice): TemplateResult | typeof nothing {
-    if (kind !== 'reading' && kind !== 'growing') return nothing;
+    if (kind !== 'reading' && kind !== 'growing' && kind !== 'running') return nothing;
     return html`<button @click=${() => this.dispatchEvent(new CustomEvent('stop'))}>
       ${texts[this.language].page.stopReading}
     </button>`;
@@ -112,6 +133,8 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'running') return page.running;
+    if (notice.kind === 'long') return page.long(notice.steps.toLocaleString(this.language));
     if (notice.kind === 'unknown') {
       return notice.name === unheld ? page.unheld : page.unknown(notice.name);
     }

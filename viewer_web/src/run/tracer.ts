@@ -41,8 +41,9 @@ export class Tracer {
     private readonly library: Blob,
     private readonly tell: (traced: Traced) => void,
     private readonly fail: (error: unknown) => void,
+    tellSlow?: () => void,
   ) {
-    this.maker = new Maker(library, 'trace', (answer) => this.take(answer), fail);
+    this.maker = new Maker(library, 'trace', (answer) => this.take(answer), fail, tellSlow);
   }
 
   run(scene: Sketch | string, options: Options, most = mostEvents): void {

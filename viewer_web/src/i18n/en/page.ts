@@ -12,6 +12,11 @@ export const page = {
   growing: (steps: string, percent: number): string =>
     `Reading: ${steps} steps so far, ${percent}% of the file`,
   stopReading: 'Stop here',
+  running: 'The scene is being run…',
+  long: (steps: string): string =>
+    `The run is longer than ${steps} steps, at which this page ends a run: its beginning is shown. For all of them, save the scene, ` +
+    'run “vidno trace scene.json -o run.jsonl.gz” with the same settings, and open that file here.',
+  coarsen: 'Run with fewer steps: detail “windows”',
   unreadable: (name: string, line: number, where: string, reason: string): string =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   noWebAssembly:

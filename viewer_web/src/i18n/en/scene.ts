@@ -64,6 +64,8 @@ export const scene = {
   missing: (key: string): string => `“${key}” is missing`,
   /** The library's reasons for refusal that the page words differently. */
   reasons: {
+    'not a hexadecimal number such as "0x1.8p-3"':
+      'not a number: write 2.5, or "0x1.8p-3" for a hexadecimal one',
     'has an edge that no other polygon shares':
       'has an edge that no other polygon shares: this method takes closed convex bodies',
     'goes along an edge in the same direction as another polygon':

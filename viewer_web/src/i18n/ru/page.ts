@@ -12,6 +12,11 @@ export const page: PageTexts = {
   reading: (name) => `Чтение ${name}…`,
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   stopReading: 'Остановить',
+  running: 'Сцена выполняется…',
+  long: (steps) =>
+    `Прогон длиннее ${steps} шагов, а дальше эта страница прогонов не ведёт: показано начало. Чтобы получить все шаги, сохраните сцену, ` +
+    'выполните «vidno trace scene.json -o run.jsonl.gz» с теми же настройками и откройте этот файл здесь.',
+  coarsen: 'Выполнить с меньшим числом шагов: подробность «окна»',
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   noWebAssembly:

@@ -85,7 +85,8 @@ export const scene: SceneTexts = {
     'not two coordinates': 'не две координаты',
     'not three coordinates': 'не три координаты',
     'not a colour of the form "#rrggbb"': 'не цвет вида "#rrggbb"',
-    'not a hexadecimal number such as "0x1.8p-3"': 'не шестнадцатеричное число вида "0x1.8p-3"',
+    'not a hexadecimal number such as "0x1.8p-3"':
+      'не число: пишется 2.5, а шестнадцатеричное — "0x1.8p-3"',
     'the number is beyond the range of doubles': 'число вне диапазона double',
     'nested too deeply': 'слишком глубокая вложенность',
     empty: 'пусто',

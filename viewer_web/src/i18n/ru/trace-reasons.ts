@@ -7,6 +7,7 @@ export const traceReasons: Readonly<Record<string, string>> = {
   'no key {}': 'нет поля {}',
   'unknown key {}': 'поля {} здесь нет',
   'broken gzip data': 'архив gzip повреждён',
+  'a line of more than 64 MiB': 'строка длиннее 64 МиБ',
   'a line of more than 256 MiB': 'строка длиннее 256 МиБ',
   'text after the last line': 'текст после последней строки',
   'not JSON': 'это не JSON',
