@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { evil, sampleLesson } from '../src/testing/lessons.js';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { openContents, opened, openFile, showsAnother, shown, small } from './page.js';
+import { openContents, opened, showsAnother, shown, small } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 describe('the text of a lesson', () => {
@@ -114,30 +114,6 @@ describe('the text of a lesson', () => {
     await page.keyboard.press('ArrowLeft');
     expect((await shown(page)).step).toBe(0);
     expect(await list.inputValue()).toBe('second');
-  });
-
-  it('stays, like the run, if a file is refused', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
-    const before = await shown(page);
-    const vertex = '{"vertices": [[0, 0, "two"], [1, 0, 0], [0, 1, 0]]}';
-    const polygons = Array.from({ length: 40 }, () => vertex).join();
-    for (const [name, text, why] of [
-      ['hello.jsonl', 'hello', 'not JSON'],
-      ['cube.txt', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 'is a mesh'],
-      ['wrong.json', `{"polygons": [${vertex}]}`, 'not a number'],
-      ['many.json', `{"polygons": [${polygons}]}`, 'cannot be run'],
-    ] as const) {
-      await openFile(page, name, text);
-      await expect.poll(() => page.locator('vidno-notice p').first().innerText()).toContain(name);
-      expect(await page.locator('vidno-notice p').first().innerText()).toContain(why);
-      expect(await page.locator('vidno-reader').isVisible(), name).toBe(true);
-      expect(await shown(page)).toEqual(before);
-    }
-    const faulty = await page.locator('vidno-notice p').first().boundingBox();
-    expect(faulty?.height).toBeLessThan(200);
-    await opened(page, 'small.jsonl', small);
-    await page.locator('vidno-reader').waitFor({ state: 'hidden' });
-    expect(faults).toEqual([]);
   });
 
   it('is chosen together with a run from the same list', async () => {
