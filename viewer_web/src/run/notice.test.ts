@@ -28,11 +28,10 @@ describe('the notice about a run', () => {
     ['signs', false],
     ['windows', true],
   ])('says that the page has ended it, at the level %s', (detail, isCoarse) => {
-    const ended = {
-      ...traceOf('call', 'clipped'),
+    const ended = Object.assign(traceOf('call', 'clipped'), {
       header: { detail },
       shortened: { why: 'partial', line: 3 },
-    } as unknown as Trace;
+    }) as Trace;
     expect(noticeOfRun(ended)).toEqual({ kind: 'long', steps: 2, isCoarse });
   });
 

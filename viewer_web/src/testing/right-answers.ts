@@ -215,84 +215,83 @@ export function rightAnswers(trace: Trace, question: Question): Right | null {
     return polygon;
   };
   const before = trace.timeline.seek(question.step).values;
-  switch (question.kind) {
-    case 'window':
-      return windowAnswer(trace, question);
-    case 'relation':
-      return { lies: [relationOf(of(question.about.polygon), question.about.window)] };
-    case 'trial': {
-      const { polygon, edge, window } = question.about;
-      const edges = edgesOf(of(polygon));
-      const asked = edges[edge];
-      const first = edges.findIndex((each) => meets(each, window));
-      return {
-        cornerSigns: asked ? cornersOf(window).map((at) => signs[f(asked, at)]) : [],
-        meetsFirst: [first < 0 ? '' : String(first)],
-      };
-    }
-    case 'inside': {
-      const { polygon, point } = question.about;
-      const at: Place = [exact(point[0]), exact(point[1])];
-      const edges = edgesOf(of(polygon));
-      // From the last edge on, until two signs contradict each other.
-      const found: string[] = [];
-      for (const edge of [...edges.slice(-1), ...edges.slice(0, -1)]) {
-        found.push(signs[f(edge, at)]);
-        if (found.includes('+') && found.includes('-')) break;
-      }
-      return { inside: [covers(of(polygon), at) ? 'yes' : 'no'], signs: found };
-    }
-    case 'corners': {
-      const window = before.warnock?.window;
-      const nearest = before.warnock?.corners;
-      const depth = depthOf(of(question.about.polygon));
-      if (!window || !nearest || depth === null) return null;
-      const nearer = cornersOf(window).map((at, i) => {
-        const stored = nearest[cornerNames[i] ?? 'lb'];
-        // The nearest so far is the depth of a plane, or of none; the scene has it without rounding.
-        if (stored === '-inf') return true;
-        const planes = scene.polygons
-          .map((each) => depthOf(each)?.(at))
-          .filter((each) => each !== undefined);
-        const near = planes.reduce((a, b) =>
-          Math.abs(a.number - toNumber(stored)) <= Math.abs(b.number - toNumber(stored)) ? a : b,
-        );
-        return depth(at).against(near) > 0;
-      });
-      return { nearer: cornerNames.filter((_, i) => nearer[i] === true) };
-    }
-    case 'point': {
-      const { point } = question.about;
-      const at: Place = [exact(point[0]), exact(point[1])];
-      const asked = question.parts[0]?.options.map(({ value }) => of(value)) ?? [];
-      if (method === 'warnock-edges') return null;
-      const covering = asked.filter((each) => covers(each, at));
-      const [first] = [...covering].sort(
-        (a, b) => depthOf(b)?.(at).against(depthOf(a)?.(at) ?? new Rational(0n)) ?? 0,
-      );
-      return { covers: covering.map(({ id }) => id), wins: [first?.id ?? ''] };
-    }
-    case 'depth': {
-      const { polygon, point } = question.about;
-      const z = depthOf(of(polygon))?.([exact(point[0]), exact(point[1])]);
-      return z === undefined ? null : { z: [String(z.number)] };
-    }
-    case 'ray': {
-      const { polygon, window } = question.about;
-      const isOdd = covers(of(polygon), centreOf(window));
-      const right = question.parts[1]?.right ?? [];
-      return { crossings: isOdd === (Number(right[0]) % 2 === 1) ? right : ['another parity'] };
-    }
-    case 'octants': {
-      // A polygon that surrounds the window is traversed clockwise if the window lies to the right of its edges.
-      const { polygon, window } = question.about;
-      const at = centreOf(window);
-      const isRight = edgesOf(of(polygon)).some((edge) => f(edge, at) === 1);
-      return { sum: [!covers(of(polygon), at) ? '0' : isRight ? '8' : '-8'] };
-    }
-    default:
-      return null;
+  if (question.kind === 'window') {
+    return windowAnswer(trace, question);
   }
+  if (question.kind === 'relation') {
+    return { lies: [relationOf(of(question.about.polygon), question.about.window)] };
+  }
+  if (question.kind === 'trial') {
+    const { polygon, edge, window } = question.about;
+    const edges = edgesOf(of(polygon));
+    const asked = edges[edge];
+    const first = edges.findIndex((each) => meets(each, window));
+    return {
+      cornerSigns: asked ? cornersOf(window).map((at) => signs[f(asked, at)]) : [],
+      meetsFirst: [first < 0 ? '' : String(first)],
+    };
+  }
+  if (question.kind === 'inside') {
+    const { polygon, point } = question.about;
+    const at: Place = [exact(point[0]), exact(point[1])];
+    const edges = edgesOf(of(polygon));
+    // From the last edge on, until two signs contradict each other.
+    const found: string[] = [];
+    for (const edge of [...edges.slice(-1), ...edges.slice(0, -1)]) {
+      found.push(signs[f(edge, at)]);
+      if (found.includes('+') && found.includes('-')) break;
+    }
+    return { inside: [covers(of(polygon), at) ? 'yes' : 'no'], signs: found };
+  }
+  if (question.kind === 'corners') {
+    const window = before.warnock?.window;
+    const nearest = before.warnock?.corners;
+    const depth = depthOf(of(question.about.polygon));
+    if (!window || !nearest || depth === null) return null;
+    const nearer = cornersOf(window).map((at, i) => {
+      const stored = nearest[cornerNames[i] ?? 'lb'];
+      // The nearest so far is the depth of a plane, or of none; the scene has it without rounding.
+      if (stored === '-inf') return true;
+      const planes = scene.polygons
+        .map((each) => depthOf(each)?.(at))
+        .filter((each) => each !== undefined);
+      const near = planes.reduce((a, b) =>
+        Math.abs(a.number - toNumber(stored)) <= Math.abs(b.number - toNumber(stored)) ? a : b,
+      );
+      return depth(at).against(near) > 0;
+    });
+    return { nearer: cornerNames.filter((_, i) => nearer[i] === true) };
+  }
+  if (question.kind === 'point') {
+    const { point } = question.about;
+    const at: Place = [exact(point[0]), exact(point[1])];
+    const asked = question.parts[0]?.options.map(({ value }) => of(value)) ?? [];
+    if (method === 'warnock-edges') return null;
+    const covering = asked.filter((each) => covers(each, at));
+    const [first] = [...covering].sort(
+      (a, b) => depthOf(b)?.(at).against(depthOf(a)?.(at) ?? new Rational(0n)) ?? 0,
+    );
+    return { covers: covering.map(({ id }) => id), wins: [first?.id ?? ''] };
+  }
+  if (question.kind === 'depth') {
+    const { polygon, point } = question.about;
+    const z = depthOf(of(polygon))?.([exact(point[0]), exact(point[1])]);
+    return z === undefined ? null : { z: [String(z.number)] };
+  }
+  if (question.kind === 'ray') {
+    const { polygon, window } = question.about;
+    const isOdd = covers(of(polygon), centreOf(window));
+    const right = question.parts[1]?.right ?? [];
+    return { crossings: isOdd === (Number(right[0]) % 2 === 1) ? right : ['another parity'] };
+  }
+  if (question.kind === 'octants') {
+    // A polygon that surrounds the window is traversed clockwise if the window lies to the right of its edges.
+    const { polygon, window } = question.about;
+    const at = centreOf(window);
+    const isRight = edgesOf(of(polygon)).some((edge) => f(edge, at) === 1);
+    return { sum: [!covers(of(polygon), at) ? '0' : isRight ? '8' : '-8'] };
+  }
+  return null;
 }
 
 const toNumber = (value: N): number => {
