@@ -4,7 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { isCorrected } from '../elements/statement.js';
+import { isCorrected } from '../language/stated.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Trace } from '../replay/trace.js';

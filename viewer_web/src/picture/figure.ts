@@ -1,6 +1,6 @@
 import type { View } from '../algorithm/view.js';
 import { element, escaped } from '../base/markup.js';
-import { inOneLine } from '../elements/statement.js';
+import { inOneLine } from '../language/stated.js';
 import { nameIn } from '../language/scene-name.js';
 import { sceneDrawing, stepDrawing } from './drawing.js';
 import { Frame } from './frame.js';

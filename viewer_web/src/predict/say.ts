@@ -1,4 +1,4 @@
-import { inOneLine } from '../elements/statement.js';
+import { inOneLine } from '../language/stated.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { withoutDoubledSigns } from '../language/words.js';
