@@ -71,9 +71,10 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   ...regionsAgree,
   window: ({ trace, after, right }) => {
     const { warnock } = after;
+    if (right['hides'] === undefined) return; // the method looks for no such polygon
     const isSummed = right['stay'] !== undefined && !hasThreeLists(trace.header.method);
-    if (isSummed) expect(right['hides']?.[0] !== '').toBe(warnock?.hasSurround ?? false);
-    expect(right['case']?.[0] === 'surrounded').toBe(right['hides']?.[0] !== '');
+    if (isSummed) expect(right['hides'][0] !== '').toBe(warnock?.hasSurround ?? false);
+    expect(right['case']?.[0] === 'surrounded').toBe(right['hides'][0] !== '');
   },
   pop: ({ before, right, after }) => {
     const top = before.warnock?.stack.at(-1)?.window;
@@ -150,7 +151,8 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   ael: ({ trace, question, before, after, right }) => {
     const was = before.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
     const is = after.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
-    expect(right['order']).toEqual(is);
+    // Of two edges with the same x either may come first.
+    if (right['order'] !== undefined) expect(right['order']).toEqual(is);
     expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
     expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
     const isCorrected = trace.header.edition === 'corrected';
