@@ -43,10 +43,10 @@ void read_fronts(const JsonNode& front, auto& run, const auto& cost_axes, const 
 }
 
 ChartRun run_of(const JsonNode& node) {
-    node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
-                       "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
-                       "depthUlps", "front"},
-                      {"picture"});
+    node.require_keys(
+        {"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time", "operations", "bits",
+         "counts", "wrongPixels", "area", "decisions", "wrongDecisions", "depthUlps", "front"},
+        {"picture"});
     ChartRun run{{Method(node.at("method").place_among(method_names)), read_kernel(node.at("kernel"))}, {}, {}};
     run.way.edition = read_edition(node.at("edition"));
     run.way.smallest_window = node.at("window").whole_number(1, largest_side);

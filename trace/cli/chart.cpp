@@ -129,8 +129,8 @@ void add_chart(CLI::App& program, int& status) {
         "the samples per curve and the tolerance. Times are medians of five interleaved runs, relative to the "
         "fastest;\n"
         "counts of operations are always the same.\n"
-        "The page shows what a right picture costs, adds any series by choice, and shows each run's picture beside the\n"
-        "exact one.\n"
+        "The page shows what a right picture costs, adds any series by choice, and shows each run's picture beside\n"
+        "the exact one.\n"
         "Exit status 1: a run lost something; standard error says which run, what and where.\n"
         "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
         "          vidno chart lessons/surfaces/*.json -o surfaces.html");
