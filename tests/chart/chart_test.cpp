@@ -276,7 +276,6 @@ TEST_CASE("A run that ended by a fault is on no front") {
 }
 
 TEST_CASE("Pictures: each distinct one once, the right one first, as runs of equal pixels") {
-    const Color white{255, 255, 255}, blue{0, 0, 255};
     ScenePictures pictures(3, {white, white, blue, blue, white, white});
     CHECK(pictures.place_of({white, blue, blue, blue, white, white}) == 1);
     CHECK(pictures.place_of({white, white, blue, blue, white, white}) == 0);
