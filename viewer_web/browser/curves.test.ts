@@ -143,7 +143,7 @@ it('a checked run of curves ends with the number of steps that decide wrongly', 
   await page.keyboard.press('End');
   await expect
     .poll(async () => (await shown(page)).sentence)
-    .toMatch(/; wrong decisions at 2 steps\.$/u);
+    .toMatch(/; wrong decisions at 2 steps\./u);
 });
 
 describe('an incomplete run of curves', () => {
