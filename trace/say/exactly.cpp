@@ -88,7 +88,7 @@ struct Truths : WarnockWords {
     }
     Said operator()(const event::Mark& e) const { return not_surrounding(e.polygon); }
     Said operator()(const event::Cover& e) const {
-        const Said outside = not_surrounding(e.polygon);
+        Said outside = not_surrounding(e.polygon);
         if (!outside.empty() || !window()) return outside;
         // Those after it in the scene have not been examined yet.
         const auto nearer =
@@ -155,8 +155,8 @@ struct Truths : WarnockWords {
     Said operator()(const event::Draw& e) const {
         if (!window()) return {};
         for (const PixelRun& run : e.runs) {
-            const auto so = shown_in({run.first, run.row, run.end - run.first, 1}, everything(),
-                                     [&](Owner owner) { return color_of(owner) == e.color; });
+            auto so = shown_in({run.first, run.row, run.end - run.first, 1}, everything(),
+                               [&](Owner owner) { return color_of(owner) == e.color; });
             if (!so.empty()) return so;
         }
         const auto [left, top, width, height] = pixels();
@@ -168,11 +168,11 @@ struct Truths : WarnockWords {
             };
             for (const PixelRun& run : e.runs) {
                 if (run.row != y) continue;
-                const auto so = beside(run.first);
+                auto so = beside(run.first);
                 if (!so.empty()) return so;
                 from = run.end;
             }
-            const auto so = beside(left + width);
+            auto so = beside(left + width);
             if (!so.empty()) return so;
         }
         return {};
@@ -255,8 +255,8 @@ struct Truths : WarnockWords {
     Said operator()(const event::Paint& e) const {
         const auto& color = header().scene.polygons[std::size_t(e.polygon.index)].color;
         for (const auto& run : e.runs) {
-            const auto so = shown_in({run.first, run.row, run.end - run.first, 1}, everything(),
-                                     [&](Owner owner) { return color_of(owner) == color; });
+            auto so = shown_in({run.first, run.row, run.end - run.first, 1}, everything(),
+                               [&](Owner owner) { return color_of(owner) == color; });
             if (!so.empty()) return so;
         }
         return {};
