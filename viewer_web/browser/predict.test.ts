@@ -21,14 +21,19 @@ describe('a reader who predicts freely', () => {
     await form.getByRole('radio', { name: 'split' }).check();
     await form.getByRole('button', { name: 'Check' }).click();
     expect(await verdict(page)).toEqual(['✓ right', '✗ wrong', '✓ right', 'Not quite.']);
-    expect(await form.locator('.right').allTextContents()).toEqual(['Correct: none']);
-    expect(await form.locator('.reasons span:first-child').allTextContents()).toEqual([
+    expect(await form.locator('.right').allTextContents()).toEqual(['Correct: none is found']);
+    const reasons = await form.locator('.reasons span:first-child').allTextContents();
+    expect(reasons).toContain('B is nearer at 3 of 4 corners (top left, top right, bottom right).');
+    expect(reasons).toContainEqual(
+      expect.stringMatching(/^At the top left B is nearer: .* > 0\.1\.$/u),
+    );
+    expect(reasons.slice(-2)).toEqual([
       '2 polygons counted in the window; none is known to hide the others.',
       'None of the simple cases: the window is split.',
     ]);
 
     await form.getByRole('button', { name: 'Try again' }).click();
-    await form.getByRole('radio', { name: 'none' }).check();
+    await form.getByRole('radio', { name: 'none is found' }).check();
     await form.getByRole('button', { name: 'Check' }).click();
     expect((await verdict(page)).at(-1)).toBe('Right.');
     await form.getByRole('button', { name: /^None of the simple cases/ }).click();
