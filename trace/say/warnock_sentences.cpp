@@ -248,8 +248,8 @@ struct WarnockSentences : WarnockWords {
     }
     Said operator()(const event::Draw& e) const {
         if (e.runs.empty()) {
-            return say("No pixel takes the colour of {}: it covers no pixel’s centre in this window.",
-                       "Ни один пиксель не получает цвет {}: в этом окне он не накрывает ни одного центра пикселя.",
+            return say("No pixel takes the colour of {}: it covers no pixel’s centre here.",
+                       "Ни один пиксель не получает цвет {}: здесь он не накрывает ни одного центра пикселя.",
                        e.polygon);
         }
         return say("{} the colour of {} in {}.", "{} цвет {} в {}.", takes(pixels_in(e.runs)), e.polygon,

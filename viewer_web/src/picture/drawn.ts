@@ -23,7 +23,7 @@ export function labels(all: readonly Label[], { scale }: Frame): readonly SVGTem
     return svg`${
       swatch === null
         ? nothing
-        : svg`<rect class="swatch" data-thing=${thing} x=${x + swatch.x} y=${y - swatch.size / 2} width=${swatch.size} height=${swatch.size} .style=${`fill: ${color ?? ''}`} />`
+        : svg`<rect class="of-name" data-thing=${thing} x=${x + swatch.x} y=${y - swatch.size / 2} width=${swatch.size} height=${swatch.size} .style=${`fill: ${color ?? ''}`} />`
     }<text class="label" data-thing=${thing} x=${x + (swatch?.shift ?? 0)} y=${y} font-size=${size}>${text}</text>`;
   });
 }

@@ -66,7 +66,7 @@ export const pictureStyle = css`
       display: none;
     }
   }
-  .swatch {
+  .of-name {
     stroke: #ffffff;
     stroke-width: 1.5px;
     vector-effect: non-scaling-stroke;
