@@ -14,7 +14,7 @@ const pictures = {
 };
 
 describe('the picture of a run', () => {
-  it('stands beside the right one, with the pixels in which they differ', () => {
+  it('is drawn beside the right picture, and pixels that differ are outlined', () => {
     const pair = pairOf(sceneOf([], { pixels: 6, pictures }), runOf({ picture: 1 }));
     expect(pair?.own.strips).toEqual([
       { x: 0, y: 0, width: 1, color: '#ffffff' },

@@ -132,10 +132,10 @@ export abstract class PlaneElement extends LitElement {
     this.zoom = reach && this.frame.all;
   }
 
-  /** The drawing in the plane. */
   /** What the numbers along the area belong to. */
   protected readonly numbered: Numbered = 'pixels';
 
+  /** The drawing in the plane. */
   protected abstract drawing(frame: Frame): unknown;
   /** The mark of the keyboard cursor. */
   protected abstract cursorMark(at: Pixel, frame: Frame): unknown;

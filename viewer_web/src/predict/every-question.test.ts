@@ -151,7 +151,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   ael: ({ trace, question, before, after, right }) => {
     const was = before.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
     const is = after.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
-    // Of two edges with the same x either may come first.
+    // Either of two edges with the same x may come first.
     if (right['order'] !== undefined) expect(right['order']).toEqual(is);
     expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
     expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
