@@ -16,8 +16,7 @@ using Owner = std::optional<int>;
 
 /// What is so at an event. Each function returns nothing if the sentence of the event is right.
 struct Truths : WarnockWords {
-    explicit Truths(const PolygonWords& words)
-        : WarnockWords(words), facts(header().scene, header().method == Method::warnock_edges) {}
+    explicit Truths(const PolygonWords& words) : WarnockWords(words), facts(header()) {}
 
     SceneFacts facts;
 
@@ -47,23 +46,14 @@ struct Truths : WarnockWords {
 
     Said operator()(const event::Box& e) const {
         if (!window()) return {};
-        const auto& of = window()->window;
-        const auto& vertices = header().scene.polygons[std::size_t(e.polygon.index)].vertices;
-        const auto all = [&](auto&& beyond) { return std::all_of(vertices.begin(), vertices.end(), beyond); };
-        const bool outside =
-            all([&](const auto& v) { return v.x < of.x; }) || all([&](const auto& v) { return v.x > of.right(); }) ||
-            all([&](const auto& v) { return v.y < of.y; }) || all([&](const auto& v) { return v.y > of.bottom(); });
+        const bool outside = facts.is_box_outside(e.polygon.index, window()->window);
         if (outside == e.outside) return {};
         return outside ? say("the box lies outside the window.", "прямоугольник лежит вне окна.")
                        : say("the box meets the window.", "прямоугольник пересекается с окном.");
     }
     Said operator()(const event::Insider& e) const {
         if (!window()) return {};
-        const auto& of = window()->window;
-        const auto& vertices = header().scene.polygons[std::size_t(e.polygon.index)].vertices;
-        const bool inside = std::all_of(vertices.begin(), vertices.end(), [&](const auto& v) {
-            return v.x > of.x && v.x < of.right() && v.y > of.y && v.y < of.bottom();
-        });
+        const bool inside = facts.is_box_inside(e.polygon.index, window()->window);
         if (inside == e.inside) return {};
         return inside ? say("the box lies strictly inside.", "прямоугольник лежит строго внутри.")
                       : say("the box does not lie strictly inside.", "прямоугольник не лежит строго внутри.");

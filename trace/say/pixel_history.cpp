@@ -449,7 +449,7 @@ std::string step_in(const Words& words, std::uint64_t step) {
 
 GoesWrong::GoesWrong(Pixel pixel, const TraceHeader& header) {
     if (!can_be_wrong(header)) return;
-    const auto shown = SceneFacts(header.scene).shown(pixel.x, pixel.y);
+    const auto shown = SceneFacts(header).shown(pixel.x, pixel.y);
     if (shown) owner_ = shown->polygon;
 }
 

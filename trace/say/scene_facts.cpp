@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/rational_polygon.h"
+#include "vidno/kernels/machine.h"
 
 namespace vidno {
 
@@ -120,18 +121,11 @@ struct SceneFacts::Polygons {
         if (!polygon) polygon = std::make_unique<RationalPolygon>(scene->polygons[std::size_t(place)]);
         return *polygon;
     }
-    /// Those of the first polygons whose boxes meet the closed rectangle. None if what shows there is not known.
-    std::optional<std::vector<Candidate>> near(const Box<double>& rectangle, int polygons) {
+    /// Those of the first polygons whose boxes meet the window. None if what shows there is not known.
+    std::optional<std::vector<Candidate>> near(const Window& window, int polygons) {
         std::vector<Candidate> found;
         for (int place = 0; place < polygons; ++place) {
-            const auto& vertices = scene->polygons[std::size_t(place)].vertices;
-            const auto all = [&](auto&& beyond) { return std::all_of(vertices.begin(), vertices.end(), beyond); };
-            if (all([&](const auto& v) { return v.x < rectangle.xmin; }) ||
-                all([&](const auto& v) { return v.x > rectangle.xmax; }) ||
-                all([&](const auto& v) { return v.y < rectangle.ymin; }) ||
-                all([&](const auto& v) { return v.y > rectangle.ymax; })) {
-                continue;
-            }
+            if (Double{}.outside(box_of(scene->polygons[std::size_t(place)]), window)) continue;
             if (!at(place).is_edge_on()) {
                 found.push_back({place, &at(place)});
             } else if (edge_on_shows) {
@@ -142,8 +136,8 @@ struct SceneFacts::Polygons {
     }
 };
 
-SceneFacts::SceneFacts(const Scene& scene, bool edge_on_shows)
-    : polygons_(std::make_unique<Polygons>(Polygons{&scene, edge_on_shows})) {}
+SceneFacts::SceneFacts(const TraceHeader& header)
+    : polygons_(std::make_unique<Polygons>(Polygons{&header.scene, header.method == Method::warnock_edges})) {}
 SceneFacts::~SceneFacts() = default;
 
 std::optional<bool> SceneFacts::holds(int polygon, const ValuePoint& at) const {
@@ -188,12 +182,20 @@ std::optional<std::pair<Value, Value>> SceneFacts::on_row(int polygon, int row) 
 
 bool SceneFacts::is_edge_on(int polygon) const { return polygons_->at(polygon).is_edge_on(); }
 
+bool SceneFacts::is_box_outside(int polygon, const Window& window) const {
+    return Double{}.outside(polygons_->at(polygon).box, window);
+}
+
+bool SceneFacts::is_box_inside(int polygon, const Window& window) const {
+    return Double{}.inside(polygons_->at(polygon).box, window);
+}
+
 std::optional<Relation> SceneFacts::relation(int polygon, const Window& window) const {
     if (is_edge_on(polygon)) return std::nullopt;
     const RationalPolygon& own = polygons_->at(polygon);
     const auto corners = corners_of(window);
     const auto& [xmin, ymin, xmax, ymax] = own.box;
-    if (xmax < window.x || ymax < window.y || xmin > window.right() || ymin > window.bottom()) return Relation::outside;
+    if (is_box_outside(polygon, window)) return Relation::outside;
     bool holds_all = true, touches = false;
     for (std::size_t edge = 0; edge < own.vertices.size(); ++edge) {
         int outside = 0, on_line = 0;
@@ -209,7 +211,7 @@ std::optional<Relation> SceneFacts::relation(int polygon, const Window& window) 
     touches = touches || xmax == window.x || ymax == window.y || xmin == window.right() || ymin == window.bottom();
     if (touches) return std::nullopt;
     if (holds_all) return Relation::surrounding;
-    if (xmin > window.x && ymin > window.y && xmax < window.right() && ymax < window.bottom()) return Relation::inside;
+    if (is_box_inside(polygon, window)) return Relation::inside;
     const bool is_within = xmin >= window.x && ymin >= window.y && xmax <= window.right() && ymax <= window.bottom();
     return is_within ? std::nullopt : std::optional(Relation::intersecting);
 }
@@ -222,8 +224,7 @@ std::optional<SceneFacts::Seen> SceneFacts::seen(const ValuePoint& at) const {
     const auto place = in_rationals(at);
     if (!place) return std::nullopt;
     const double x = number_of(at.x), y = number_of(at.y);
-    const auto near =
-        polygons_->near({std::floor(x), std::floor(y), std::ceil(x), std::ceil(y)}, int(polygons_->converted.size()));
+    const auto near = polygons_->near({std::floor(x), std::floor(y), 1, 1}, int(polygons_->converted.size()));
     if (!near) return std::nullopt;
     std::optional<int> nearest;
     for (const auto& [i, polygon, holds] : *near) {
@@ -241,7 +242,7 @@ std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pi
                                                         const std::function<bool(std::optional<int>)>& expected) const {
     const auto [x, y, width, height] = pixels;
     if (width <= 0 || height <= 0) return std::nullopt;
-    auto near = polygons_->near({x + .5, y + .5, x + width - .5, y + height - .5}, polygons);
+    auto near = polygons_->near({x + .5, y + .5, width - 1., height - 1.}, polygons);
     return near ? unexpected_among(std::move(*near), pixels, expected) : std::nullopt;
 }
 

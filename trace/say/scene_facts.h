@@ -6,11 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "format/value.h"
+#include "format/trace_header.h"
 #include "vidno/family/relation.h"
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
-#include "vidno/scene.h"
 #include "vidno/window.h"
 
 namespace vidno {
@@ -19,9 +18,9 @@ namespace vidno {
 /// or of one that is no number, is not known.
 class SceneFacts {
 public:
-    /// The scene must outlive it. `edge_on_shows`: polygons that are edge-on show as lines, about which nothing is
-    /// known.
-    explicit SceneFacts(const Scene& scene, bool edge_on_shows = false);
+    /// The facts about the scene of a run, whose header must outlive them. Nothing is known of the lines as which its
+    /// method may show polygons that are edge-on.
+    explicit SceneFacts(const TraceHeader& header);
     ~SceneFacts();
     SceneFacts(const SceneFacts&) = delete;
     SceneFacts& operator=(const SceneFacts&) = delete;
@@ -36,6 +35,9 @@ public:
     std::optional<std::pair<Value, Value>> on_row(int polygon, int row) const;
 
     bool is_edge_on(int polygon) const;
+    /// Whether the polygon's box lies outside a window, or strictly inside it, as the procedures ask.
+    bool is_box_outside(int polygon, const Window& window) const;
+    bool is_box_inside(int polygon, const Window& window) const;
     /// What a window has to do with a polygon that is not edge-on, as long as the window's sides do not matter: a
     /// polygon that only touches them gets no answer.
     std::optional<Relation> relation(int polygon, const Window& window) const;

@@ -15,17 +15,22 @@ struct InRationals {
     using Vertices = std::vector<Vertex<Rational>>;
 };
 
+inline Box<double> box_of(const ScenePolygon& polygon) {
+    const auto& first = polygon.vertices.front();
+    Box<double> box{first.x, first.y, first.x, first.y};
+    for (const auto& v : polygon.vertices) {
+        box = {std::min(box.xmin, v.x), std::min(box.ymin, v.y), std::max(box.xmax, v.x), std::max(box.ymax, v.y)};
+    }
+    return box;
+}
+
 struct RationalPolygon {
     InRationals::Vertices vertices;
     Plane<Rational> plane;  // c is 0 for an edge-on polygon, and has the sign of the inside
     Box<double> box;
 
-    explicit RationalPolygon(const ScenePolygon& given)
-        : plane{}, box{given.vertices[0].x, given.vertices[0].y, given.vertices[0].x, given.vertices[0].y} {
-        for (const auto& v : given.vertices) {
-            vertices.push_back({v.x, v.y, v.z});
-            box = {std::min(box.xmin, v.x), std::min(box.ymin, v.y), std::max(box.xmax, v.x), std::max(box.ymax, v.y)};
-        }
+    explicit RationalPolygon(const ScenePolygon& given) : plane{}, box(box_of(given)) {
+        for (const auto& v : given.vertices) vertices.push_back({v.x, v.y, v.z});
         InRationals numbers;
         plane = InitializePolygon::initialize_polygon(numbers, vertices);
     }
