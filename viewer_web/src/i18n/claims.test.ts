@@ -1,18 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { short } from '../language/words.js';
-import {
-  ExactPolygon,
-  centreOf,
-  double,
-  fraction,
-  minus,
-  ownerAt,
-  sign,
-} from '../testing/exact-scene.js';
-import type { Fraction, Place } from '../testing/exact-scene.js';
+import { ExactPolygon, centreOf, ownerAt } from '../testing/exact-scene.js';
+import type { Place } from '../testing/exact-scene.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';
 import type { RandomRun } from '../testing/random-runs.js';
+import { Rational } from '../testing/rational.js';
 import { traceOf } from '../testing/traces.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { N } from '../trace/values.js';
@@ -38,19 +31,19 @@ class Truth {
   private drawn = '';
 
   constructor(private readonly scene: SceneFile) {
-    this.polygons = scene.polygons.map(
-      (each) => new ExactPolygon(each.id, each.color, each.vertices),
-    );
+    this.polygons = scene.polygons.map((each) => new ExactPolygon(each));
   }
 
+  private placeOf = (id: string): number => this.scene.polygons.findIndex((each) => each.id === id);
   private polygon(id: string): ExactPolygon {
-    const found = this.polygons.find((each) => each.id === id);
+    const found = this.polygons[this.placeOf(id)];
     if (found === undefined) throw new Error(id);
     return found;
   }
-  private place = ([x = 0, y = 0]: readonly N[]): Place => [fraction(x), fraction(y)];
-  private colorAt = (at: Place): string =>
-    ownerAt(this.polygons, at)?.color ?? this.scene.background;
+  private place = ([x = 0, y = 0]: readonly N[]): Place => [Rational.of(x), Rational.of(y)];
+  private ownerAt = (at: Place): SceneFile['polygons'][number] | undefined =>
+    this.scene.polygons[ownerAt(this.polygons, at) ?? -1];
+  private colorAt = (at: Place): string => this.ownerAt(at)?.color ?? this.scene.background;
   private paints = (color: string, pixels: readonly (readonly [x: number, y: number])[]): boolean =>
     pixels.every(([x, y]) => this.colorAt(centreOf(x, y)) === color);
 
@@ -66,15 +59,16 @@ class Truth {
     },
     orient: (event) => {
       const cross = this.polygon(event.polygon).cross(event.edge, this.place(event.point));
-      return sign(cross) === event.sign && looksLike(event.value, cross);
+      return cross.sign === event.sign && looksLike(event.value, cross);
     },
     surround: ({ polygon, point, inside }) =>
       this.polygon(polygon).holds(this.place(point)) === inside,
     pixel: ({ x, y, z, shown }) => {
       const [at, own] = [centreOf(x, y), this.polygon(this.drawn)];
       if (!own.holds(at)) return false;
-      const soFar = this.polygons.slice(0, this.polygons.indexOf(own) + 1);
-      return (ownerAt(soFar, at) === own) === shown && looksLike(z, own.depth(at));
+      const place = this.placeOf(this.drawn);
+      const soFar = this.polygons.slice(0, place + 1);
+      return (ownerAt(soFar, at) === place) === shown && looksLike(z, own.depth(at));
     },
     color: ({ point, color }) => this.colorAt(this.place(point)) === color,
     fill: ({ at, rect: [left, top, width, height], color }) => {
@@ -84,7 +78,10 @@ class Truth {
       return this.paints(color, rows.flatMap(pixelsOf));
     },
     paint: ({ polygon, runs }) =>
-      this.paints(this.polygon(polygon).color, runs.map(asRun).flatMap(pixelsOf)),
+      this.paints(
+        this.scene.polygons[this.placeOf(polygon)]?.color ?? '',
+        runs.map(asRun).flatMap(pixelsOf),
+      ),
   };
 
   isSo(event: Event): boolean | null {
@@ -98,8 +95,8 @@ class Truth {
     const [, x, y, rest] = /pixel \((\S+), (\S+)\) shows (.+)\.$/u.exec(said) ?? [];
     if (x === undefined || y === undefined || rest === undefined) return true;
     const at = centreOf(numberIn(x), numberIn(y));
-    const owner = ownerAt(this.polygons, at);
-    if (owner === null) return rest === 'the background';
+    const owner = this.ownerAt(at);
+    if (owner === undefined) return rest === 'the background';
     return rest.startsWith(`${owner.id}, whose depth there is `);
   }
 }
@@ -111,9 +108,9 @@ const pixelsOf = ({ row, first, end }: Run): readonly (readonly [number, number]
   Array.from({ length: end - first }, (_, i) => [first + i, row]);
 const digits = (value: number): string => short(value).replace('≈', '');
 /** Whether the digits that a sentence shows are right; half of the last one may be rounded either way. */
-function looksLike(computed: N, exact: Fraction): boolean {
-  if (typeof computed === 'string') return sign(minus(fraction(computed), exact)) === 0;
-  const right = double(exact);
+function looksLike(computed: N, exact: Rational): boolean {
+  if (typeof computed === 'string') return Rational.of(computed).against(exact) === 0;
+  const right = exact.number;
   return (
     Math.abs(computed - right) <= 1e-12 * Math.abs(right) || digits(computed) === digits(right)
   );

@@ -1,3 +1,7 @@
+import type { N } from '../trace/values.js';
+
+const divisor = (a: bigint, b: bigint): bigint => (b === 0n ? a : divisor(b, a % b));
+
 /** Exact arithmetic for tests: a fraction with a positive denominator, not reduced. */
 export class Rational {
   constructor(
@@ -5,10 +9,14 @@ export class Rational {
     private readonly below = 1n,
   ) {}
 
-  /** The exact value of a double. */
-  static of(value: number): Rational {
+  /** The exact value of a double, or of a fraction "p/q" as a trace has it. */
+  static of(value: N): Rational {
+    if (typeof value === 'string') {
+      const [top = '0', under = '1'] = value.split('/');
+      return new Rational(BigInt(top), BigInt(under));
+    }
     let below = 1n;
-    let rest = value;
+    let rest: number = value;
     while (!Number.isInteger(rest)) {
       rest *= 2;
       below *= 2n;
@@ -42,7 +50,11 @@ export class Rational {
     return this.minus(other).sign;
   }
 
+  /** The nearest double, or, of a long fraction, one beside it. */
   get number(): number {
-    return Number((this.above * 10n ** 12n) / this.below) / 1e12;
+    const common = divisor(this.above < 0n ? -this.above : this.above, this.below);
+    const [top, under] = [Number(this.above / common), Number(this.below / common)];
+    if (Number.isSafeInteger(top) && Number.isSafeInteger(under)) return top / under;
+    return Number((this.above * 10n ** 30n) / this.below) / 1e30;
   }
 }

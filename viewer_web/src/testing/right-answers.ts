@@ -1,20 +1,16 @@
 /** The right answers to questions, computed exactly from the scene by the rules that the questions state. */
+import { toNumber } from '../language/words.js';
 import type { Question } from '../predict/question.js';
 import type { Trace } from '../replay/trace.js';
 import { corners as cornerNames, hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
-import type { Box, N } from '../trace/values.js';
+import type { Box } from '../trace/values.js';
+import { ExactPolygon } from './exact-scene.js';
+import type { Place } from './exact-scene.js';
 import { Rational } from './rational.js';
 
-type Place = readonly [x: Rational, y: Rational];
 type Vertex = readonly [x: Rational, y: Rational, z: Rational];
 type Right = Readonly<Record<string, readonly string[]>>;
-
-const exact = (value: N): Rational => {
-  if (typeof value === 'number') return Rational.of(value);
-  const [above = '0', below = '1'] = value.split('/');
-  return new Rational(BigInt(above), BigInt(below));
-};
 
 const verticesOf = ({ vertices }: Polygon): readonly Vertex[] =>
   vertices.map(([x, y, z]) => [Rational.of(x), Rational.of(y), Rational.of(z)]);
@@ -32,40 +28,12 @@ const f = ([[x1, y1], [x2, y2]]: Edge, [x, y]: Place): -1 | 0 | 1 =>
     .times(y.minus(y1))
     .minus(y2.minus(y1).times(x.minus(x1))).sign;
 
-/** Whether a convex polygon covers a point, on its outline too. */
-function covers(polygon: Polygon, at: Place): boolean {
-  const signs = new Set(edgesOf(polygon).map((edge) => f(edge, at)));
-  return signs.has(1) !== signs.has(-1);
-}
-
-const cross = (a: Vertex, b: Vertex): Vertex => [
-  a[1].times(b[2]).minus(a[2].times(b[1])),
-  a[2].times(b[0]).minus(a[0].times(b[2])),
-  a[0].times(b[1]).minus(a[1].times(b[0])),
-];
-const difference = (a: Vertex, b: Vertex): Vertex => [
-  a[0].minus(b[0]),
-  a[1].minus(b[1]),
-  a[2].minus(b[2]),
-];
+const covers = (polygon: Polygon, at: Place): boolean => new ExactPolygon(polygon).holds(at);
 
 /** The depth of a polygon's plane; null if it is edge-on. */
 function depthOf(polygon: Polygon): ((at: Place) => Rational) | null {
-  const [first, ...others] = verticesOf(polygon);
-  if (first === undefined) return null;
-  for (let i = 0; i + 1 < others.length; i++) {
-    const [second = first, third = first] = others.slice(i, i + 2);
-    const [a, b, c] = cross(difference(second, first), difference(third, first));
-    if (c.sign === 0) continue;
-    return ([x, y]) =>
-      first[2].minus(
-        a
-          .times(x.minus(first[0]))
-          .plus(b.times(y.minus(first[1])))
-          .over(c),
-      );
-  }
-  return null;
+  const exact = new ExactPolygon(polygon);
+  return exact.isEdgeOn ? null : (at) => exact.depth(at);
 }
 
 interface Sides {
@@ -233,7 +201,7 @@ export function rightAnswers(trace: Trace, question: Question): Right | null {
   }
   if (question.kind === 'inside') {
     const { polygon, point } = question.about;
-    const at: Place = [exact(point[0]), exact(point[1])];
+    const at: Place = [Rational.of(point[0]), Rational.of(point[1])];
     const edges = edgesOf(of(polygon));
     // From the last edge on, until two signs contradict each other.
     const found: string[] = [];
@@ -264,7 +232,7 @@ export function rightAnswers(trace: Trace, question: Question): Right | null {
   }
   if (question.kind === 'point') {
     const { point } = question.about;
-    const at: Place = [exact(point[0]), exact(point[1])];
+    const at: Place = [Rational.of(point[0]), Rational.of(point[1])];
     const asked = question.parts[0]?.options.map(({ value }) => of(value)) ?? [];
     if (method === 'warnock-edges') return null;
     const covering = asked.filter((each) => covers(each, at));
@@ -275,7 +243,7 @@ export function rightAnswers(trace: Trace, question: Question): Right | null {
   }
   if (question.kind === 'depth') {
     const { polygon, point } = question.about;
-    const z = depthOf(of(polygon))?.([exact(point[0]), exact(point[1])]);
+    const z = depthOf(of(polygon))?.([Rational.of(point[0]), Rational.of(point[1])]);
     return z === undefined ? null : { z: [String(z.number)] };
   }
   if (question.kind === 'ray') {
@@ -293,9 +261,3 @@ export function rightAnswers(trace: Trace, question: Question): Right | null {
   }
   return null;
 }
-
-const toNumber = (value: N): number => {
-  if (typeof value === 'number') return value;
-  const [above = '', below = '1'] = value.split('/');
-  return Number(above) / Number(below);
-};
