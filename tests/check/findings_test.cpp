@@ -125,3 +125,32 @@ TEST_CASE("A constructed point half a pixel off is an error, and the report says
     }
     CHECK(off > 0);
 }
+
+// The events of a window that is examined, with the level from which each appears: pop (windows), call of ProcessWindow
+// (polygons), call of SurroundTest (signs), orient (signs), summary (polygons), decide (windows). Before each a decision
+// was wrong.
+TEST_CASE("The list has the steps of a level: an event's own, or the one that contains what happens up to it") {
+    using Steps = std::vector<std::pair<std::uint64_t, bool>>;
+    const auto found = [](Detail level) {
+        FindingList list(Procedure::warnock, {0, 0, 1, 1}, 0, 0, level);
+        const auto next = [&](const EventView& event) {
+            Verdict wrong;
+            wrong.of = Decision::orientation;
+            wrong.right_for_operands = false;
+            list.judge(wrong);
+            list.follow(event);
+        };
+        next(event::Pop{Line::W5, {0, 0, 1, 1}});
+        next(event::Call{Line::W6, Procedure::process_window});
+        next(event::Call{Line::PW8, Procedure::surround_test});
+        next(event::Orient{Line::S2, {0}, 0, {0., 0.}, 1., Sign::positive, {}});
+        next(event::Summary{Line::W6, 1, false, {}, false});
+        next(event::Decide{Line::W8, Case::surrounded});
+        Steps steps;
+        for (const Finding& each : list.findings()) steps.emplace_back(each.step, each.is_shown);
+        return steps;
+    };
+    CHECK(found(Detail::signs) == Steps{{1, true}, {2, true}, {3, true}, {4, true}, {5, true}, {6, true}});
+    CHECK(found(Detail::polygons) == Steps{{1, true}, {2, true}, {3, false}, {3, false}, {3, true}, {4, true}});
+    CHECK(found(Detail::windows) == Steps{{1, true}, {2, false}, {2, false}, {2, false}, {2, false}, {2, true}});
+}

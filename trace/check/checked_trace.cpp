@@ -43,9 +43,7 @@ void CheckedTrace::tell_wrong_ones(const std::vector<JudgedDecision>& decisions)
 template <class E>
 void CheckedTrace::write(const E& event) {
     at_ = event.at;
-    Detail from = E::kind.from;
-    if constexpr (std::same_as<E, event::Call>) from = event::calls_from(event.of);
-    if (from > reported_.detail) return;
+    if (event::level_of(event) > reported_.detail) return;
     if constexpr (std::same_as<E, event::Span>) {
         if (reported_.detail < Detail::polygons && event.depths) {
             E without_depths = event;

@@ -18,8 +18,9 @@ Coincidence meaning(Coincidence coincidence, const EventView& event) {
 
 }  // namespace
 
-FindingList::FindingList(Procedure method, const Area& area, std::size_t narrowest, std::size_t most_zeros)
-    : running_{method}, whereabouts_(area), most_narrow_(narrowest), most_zeros_(most_zeros) {}
+FindingList::FindingList(Procedure method, const Area& area, std::size_t narrowest, std::size_t most_zeros,
+                         Detail level)
+    : running_{method}, whereabouts_(area), most_narrow_(narrowest), most_zeros_(most_zeros), level_(level) {}
 
 bool FindingList::is_narrow(const Gap& gap) const {
     return most_narrow_ > 0 && (narrow_.size() < most_narrow_ || gap.ulps < narrow_.rbegin()->first);
@@ -52,9 +53,9 @@ void FindingList::survey(const Surveyed& point) {
 }
 
 void FindingList::follow(const EventView& event) {
-    ++steps_;
     event.visit([&]<class E>(const E& e) {
         at_ = e.at;
+        is_shown_ = event::level_of(e) <= level_;
         if constexpr (std::same_as<E, event::Draw>) {
             for (std::size_t i = filling_; i < findings_.size(); ++i) {
                 if (findings_[i].procedure == Procedure::fill_polygon) findings_[i].polygons = {e.polygon};
@@ -74,11 +75,13 @@ void FindingList::follow(const EventView& event) {
         if constexpr (requires { E::result_of; }) running_.pop_back();
     });
     whereabouts_.follow(event);
+    if (is_shown_) ++steps_;
 }
 
 void FindingList::place(PendingFinding pending, const EventView& event) {
     Finding& finding = pending.finding;
-    finding.step = steps_;
+    finding.step = steps_ + 1;
+    finding.is_shown = is_shown_;
     finding.at = at_;
     auto& gap = finding.gap;
     // An event that reports a decision reports the last one before it.
@@ -89,7 +92,7 @@ void FindingList::place(PendingFinding pending, const EventView& event) {
     if (finding.kind == FindingKind::narrow) return keep_narrow(std::move(finding));
     if (gap && gap->sign == Sign::zero) {
         Zeros& zeros = zeros_[std::size_t(gap->if_zero)];
-        if (zeros.count++ == 0) zeros.first = steps_;
+        if (zeros.count++ == 0) zeros.first = finding.step;
     }
     if (finding.kind == FindingKind::zero) {
         if (most_zeros_ == 0) return;
@@ -118,6 +121,8 @@ std::vector<Finding> FindingList::findings() {
     }
     std::vector<Finding> all = std::move(findings_);
     for (auto& [ulps, finding] : narrow_) all.push_back(std::move(finding));
+    // What follows the last event of the level belongs to its last step.
+    for (Finding& finding : all) finding.step = std::min(finding.step, steps_);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
     return all;
 }

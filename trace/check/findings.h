@@ -24,7 +24,8 @@ inline constexpr std::array<std::string_view, 4> finding_kind_names{"wrong", "ze
 
 struct Finding {
     FindingKind kind{};
-    std::uint64_t step = 0;  // of level `signs`, from 1: the event that reports it or is the first after it
+    std::uint64_t step = 0;  // from 1: the event that reports it or is the first after it
+    bool is_shown = true;    // false if the level has no such event: the step then contains it
     Line at{};
     Procedure procedure{};
     std::vector<PolygonPlace> polygons{};
@@ -38,9 +39,9 @@ struct Finding {
 class FindingList {
 public:
     /// `narrowest` is the number of narrow decisions that are listed. All zeros are counted, and the first `most_zeros`
-    /// are listed.
+    /// are listed. Steps are those of a trace of the level.
     FindingList(Procedure method, const Area& area, std::size_t narrowest = 20,
-                std::size_t most_zeros = std::size_t(-1));
+                std::size_t most_zeros = std::size_t(-1), Detail level = Detail::signs);
 
     void judge(const Verdict& verdict);
     void survey(const Surveyed& point);
@@ -70,7 +71,10 @@ private:
     std::vector<Procedure> running_;
     Whereabouts whereabouts_;
     std::size_t most_narrow_, most_zeros_;
-    std::uint64_t steps_ = 0, decisions_ = 0;
+    Detail level_;
+    std::uint64_t steps_ = 0;  // before the current event
+    bool is_shown_ = true;     // the current event
+    std::uint64_t decisions_ = 0;
     Line at_{};
     Pending<PendingFinding> pending_;
     std::vector<Finding> findings_;          // all but the narrow ones

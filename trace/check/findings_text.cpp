@@ -82,6 +82,7 @@ void for_each_field(const FindingsHeader& header, const Finding& finding, auto&&
     field("kind", name_of(finding.kind));
     // Steps are whole numbers that a double holds.
     field("step", double(finding.step));
+    if (!finding.is_shown) field("isShown", Answer(false));
     field("at", name_of(finding.at));
     field("procedure", name_of(finding.procedure));
     field("polygons", polygons_of(header, finding));

@@ -13,13 +13,6 @@ namespace {
 /// Thrown to end a run.
 struct Met {};
 
-Detail level_of(const EventView& event) {
-    return event.visit([]<class E>(const E& e) {
-        if constexpr (std::same_as<E, event::Call>) return std::max(E::kind.from, event::calls_from(e.of));
-        return E::kind.from;
-    });
-}
-
 }  // namespace
 
 std::optional<std::uint64_t> events_until(const std::string& text, RunRequest request) {
@@ -37,7 +30,7 @@ std::optional<std::uint64_t> events_until(const std::string& text, RunRequest re
     std::uint64_t events = 0;
     FunctionSink sink([&](const EventView& event) {
         counts.hear(event);
-        if (level_of(event) <= request.detail) ++events;
+        if (event.visit([](const auto& e) { return event::level_of(e); }) <= request.detail) ++events;
         for (std::size_t i = 0; i < values.size(); ++i) {
             const Name& name = condition.names()[i];
             if (name.choice().grows) values[i] = counts.of(name);

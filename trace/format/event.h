@@ -176,6 +176,16 @@ struct Call {
     static void fields(auto& e, auto&& field) { field("of", e.of); }
 };
 
+/// The level from which an event appears.
+template <class E>
+constexpr Detail level_of(const E& e) {
+    if constexpr (std::same_as<E, Call>) {
+        return calls_from(e.of);
+    } else {
+        return E::kind.from;
+    }
+}
+
 struct Depth {
     static constexpr Kind kind{"depth", Detail::polygons};
     static constexpr LineSet lines{PW5, PC3, Z3, HP3, DS1, RB2};

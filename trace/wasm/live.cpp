@@ -135,7 +135,7 @@ void make_findings(Exchange& page) {
     const Kind kind = is_surface(file) ? Kind::curves : Kind::polygons;
     const Options options = read_json(line, "request", [&](const JsonNode& root) { return read_options(root, kind); });
     const auto find = [&](auto request, Procedure method, const Area& area, const FindingsHeader& header) {
-        FindingList findings(method, area, most_narrow, most_zeros);
+        FindingList findings(method, area, most_narrow, most_zeros, options.detail);
         request.progress = limit(options.most_events);
         try {
             find_in(request, findings);
@@ -275,7 +275,8 @@ extern "C" {
 /// digit is three times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::attempt(vidno::make_map); }
 
-/// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way.
+/// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way. The steps are those of the
+/// requested level; a decision whose event that level lacks has `"isShown":false`, and the step that contains it.
 [[clang::export_name("findings")]] bool vidno_findings() { return vidno::attempt(vidno::make_findings); }
 
 /// Makes the requested margin, `vidno-margin/1`, or is refused in the same way.

@@ -1,13 +1,25 @@
 import { findingsIn } from '../exactness/finding.js';
 import type { Finding } from '../exactness/finding.js';
 import type { Trace } from '../replay/trace.js';
-import { placedIn } from './leveled.js';
+import { numberOf } from '../trace/events.js';
 import { Maker } from './maker.js';
 import { runs } from './options.js';
 import { sceneText } from './sketch.js';
 
 /** Only this many events of a longer run are searched. */
 const mostEvents = 1_000_000;
+
+const disagree = numberOf.get('disagree');
+
+/** Findings with the steps of a trace, which may report wrong decisions by steps of their own; those are not counted. */
+export function placedIn(
+  names: ArrayLike<number>,
+  findings: readonly Finding[],
+): readonly Finding[] {
+  const steps: number[] = [];
+  for (let i = 0; i < names.length; i++) if (names[i] !== disagree) steps.push(i + 1);
+  return findings.map((each) => ({ ...each, step: steps[each.step - 1] ?? each.step }));
+}
 
 /** Lists the decisions of runs that are worth looking at, with the page's library, one run at a time. */
 export class Finder {
