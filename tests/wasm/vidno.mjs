@@ -1,8 +1,10 @@
-// `vidno trace` with vidno.wasm, the library that the page uses.
+// `vidno trace` and `vidno import` with vidno.wasm, the library that the page uses.
 //
 //     node vidno.mjs VIDNO.wasm trace SCENE [--method M] [--kernel K] [--edition E] [--detail D] [--check] -o FILE
+//     node vidno.mjs VIDNO.wasm import MESH [FILE that it names]... -o FILE
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { parseArgs } from 'node:util';
 
 const { values, positionals } = parseArgs({
@@ -16,7 +18,7 @@ const { values, positionals } = parseArgs({
     output: { type: 'string', short: 'o' },
   },
 });
-const [module, , scene] = positionals;
+const [module, command, ...files] = positionals;
 const { output, ...options } = values;
 
 const bytes = (at, size) => new Uint8Array(wasm.memory.buffer, at, size);
@@ -38,10 +40,14 @@ const instance = await WebAssembly.instantiate(compiled, {
 const wasm = instance.exports;
 wasm._initialize();
 
-const line = JSON.stringify({ ...options, most_events: 2 ** 31 - 1 });
-const request = new TextEncoder().encode(`${line}\n${readFileSync(scene, 'utf8')}`);
+const contents = files.map((file) => readFileSync(file));
+const asked =
+  command === 'import'
+    ? { files: files.map((file, i) => ({ name: basename(file), size: contents[i].length })) }
+    : { ...options, most_events: 2 ** 31 - 1 };
+const request = Buffer.concat([Buffer.from(`${JSON.stringify(asked)}\n`), ...contents]);
 bytes(wasm.request(request.length), request.length).set(request);
-const ran = wasm.run();
+const ran = command === 'import' ? wasm.scene() : wasm.run();
 process.stderr.write(bytes(wasm.messages(), wasm.messages_size()));
 if (!ran) process.exit(2);
 writeFileSync(output, bytes(wasm.made(), wasm.made_size()));

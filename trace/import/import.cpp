@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
@@ -13,7 +12,6 @@
 #include "counted.h"
 #include "import/flat_parts.h"
 #include "json/unique_ids.h"
-#include "output.h"
 #include "refused.h"
 #include "scene/convex_parts.h"
 #include "scene/exact_scene.h"
@@ -69,9 +67,6 @@ std::string as_utf8(const std::string& text) {
     using nlohmann::json;
     return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
-
-/// The file's name without folders.
-std::string without_folders(const std::string& file) { return file.substr(file.find_last_of("/\\") + 1); }
 
 std::string scene_name(const std::string& file) {
     const std::string name = without_folders(file);
@@ -219,22 +214,6 @@ ImportedScene import_mesh(std::string_view bytes, const std::string& file, const
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());
     }
-}
-
-Beside files_beside(const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    return [folder](const std::string& name) -> std::optional<std::string> {
-        for (const std::string& place : {name, without_folders(name)}) {
-            const auto path = folder / place;
-            std::error_code error;
-            if (!place.empty() && std::filesystem::is_regular_file(path, error)) return read_file(path.string());
-        }
-        return std::nullopt;
-    };
-}
-
-ImportedScene import_mesh_file(const std::string& file, const ImportOptions& options) {
-    return import_mesh(read_file(file), file, options, files_beside(file));
 }
 
 }  // namespace vidno

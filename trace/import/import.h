@@ -33,8 +33,7 @@ struct ImportedScene {
 ImportedScene import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options,
                           const Beside& beside = {});
 
-/// Reads the files beside this one. A name with the folders of another machine stands for the file of that name beside
-/// it.
+/// Reads the files beside this one.
 Beside files_beside(const std::string& file);
 
 /// The same for a file that is read here, with the files beside it.

@@ -60,6 +60,8 @@ std::vector<Loss> LeftOut::losses() const {
     return all;
 }
 
+std::string without_folders(const std::string& file) { return file.substr(file.find_last_of("/\\") + 1); }
+
 std::string MeshSoup::place_of(std::size_t face) const {
     const std::size_t line = faces[face].line;
     return line > 0 ? "line " + std::to_string(line) : "face " + std::to_string(face);

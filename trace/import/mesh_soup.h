@@ -65,8 +65,12 @@ struct MeshSoup {
     std::string place_of(std::size_t face) const;
 };
 
-/// The contents of the file of this name that lies beside the mesh; none if it cannot be read.
+/// The contents of the file of this name that lies beside the mesh; none if it cannot be read. A name with the folders
+/// of another machine also stands for the file of that name beside the mesh: the readers then ask for it.
 using Beside = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// The file's name without folders, of this machine or another.
+std::string without_folders(const std::string& file);
 
 // Each throws Refused, without the file's name. `read_mesh_soup` checks the faces' corners.
 MeshSoup read_obj(std::string_view bytes, const Beside& beside);

@@ -133,7 +133,9 @@ private:
     }
 
     bool read_library(const std::string& name) {
-        const std::optional<std::string> bytes = beside_ ? beside_(name) : std::nullopt;
+        if (!beside_) return false;
+        std::optional<std::string> bytes = beside_(name);
+        if (!bytes) bytes = beside_(without_folders(name));
         if (!bytes) return false;
         TextWords words(without_mark(*bytes), '#');
         Material* material = nullptr;

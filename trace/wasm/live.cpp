@@ -18,6 +18,11 @@
 ///     {"method":"warnock","edition":"corrected","kernel":"double","step":12,"polygon":"A","vertex":2}
 ///     {"format":"vidno-scene/1",...}
 ///
+/// For the scene of a mesh: its file and the files that it may name, by name and size in bytes; and their contents. The
+/// messages are what the scene lacks, with its place, one per line:
+///
+///     {"files":[{"name":"cube.obj","size":412},{"name":"cube.mtl","size":98}]}
+///
 /// For a failure: its file alone. The result is a line of JSON:
 ///
 ///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,
@@ -26,14 +31,19 @@
 /// with texts in both languages, `source` empty if nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and
 /// a description of what is seen at the step in `there`.
 
+#include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "check/checked_trace.h"
 #include "check/findings_text.h"
 #include "check/seen_failure.h"
 #include "choice/method.h"
 #include "choice/read_choice.h"
+#include "import/import.h"
 #include "json/json_node.h"
 #include "margin/margin.h"
 #include "run/write_trace.h"
@@ -118,6 +128,9 @@ void make_trace(Exchange& page) {
                   RunRequest{method, kernel, edition, scene, detail});
     }
 }
+
+/// A page holds no larger file.
+constexpr int most_bytes = std::numeric_limits<int>::max();
 
 /// A page does not show more zeros, and a run with more events takes too long.
 constexpr std::size_t most_zeros = 2000;
@@ -204,6 +217,42 @@ void make_map(Exchange& page) {
     }
 }
 
+struct GivenFile {
+    std::string name;
+    std::size_t size;
+};
+
+std::vector<GivenFile> read_given_files(const JsonNode& root) {
+    root.require_keys({"files"});
+    const JsonNode list = root.at("files");
+    std::vector<GivenFile> files;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const JsonNode each = list.at(i);
+        each.require_keys({"name", "size"});
+        files.push_back({each.at("name").text(), std::size_t(each.at("size").whole_number(0, most_bytes))});
+    }
+    if (files.empty()) list.refuse("no file");
+    return files;
+}
+
+void make_scene(Exchange& page) {
+    auto [line, bytes] = parts(page.request);
+    const std::vector<GivenFile> files = read_json(line, "request", read_given_files);
+    std::map<std::string, std::string_view> contents;
+    for (const auto& [name, size] : files) {
+        contents.emplace(name, bytes.substr(0, size));
+        bytes.remove_prefix(std::min(size, bytes.size()));
+    }
+    const Beside beside = [&](const std::string& name) -> std::optional<std::string> {
+        const auto found = contents.find(name);
+        return found == contents.end() ? std::nullopt : std::optional(std::string(found->second));
+    };
+    const std::string& mesh = files.front().name;
+    const ImportedScene made = import_mesh(contents.at(mesh), mesh, {}, beside);
+    page.made += scene_json(made.scene);
+    for (const auto& [what, where] : made.losses) page.messages += where + ": " + what + '\n';
+}
+
 void append_words(Text& out, std::string_view key, const Failure::Words& words) {
     out += '"';
     out += key;
@@ -275,12 +324,15 @@ extern "C" {
 /// digit is three times the computed sign plus the exact one, where 0 is negative, 1 is zero, and 2 is positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::attempt(vidno::make_map); }
 
-/// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way. The steps are those of the
-/// requested level; a decision whose event that level lacks has `"isShown":false`, and the step that contains it.
+/// Makes the requested list of decisions, `vidno-decisions/1`, or is refused in the same way. The steps are those of
+/// the requested level; a decision whose event that level lacks has `"isShown":false`, and the step that contains it.
 [[clang::export_name("findings")]] bool vidno_findings() { return vidno::attempt(vidno::make_findings); }
 
 /// Makes the requested margin, `vidno-margin/1`, or is refused in the same way.
 [[clang::export_name("margin")]] bool vidno_margin() { return vidno::attempt(vidno::make_margin); }
+
+/// Makes the scene of a mesh, as `vidno import` does without options, or is refused in the same way.
+[[clang::export_name("scene")]] bool vidno_scene() { return vidno::attempt(vidno::make_scene); }
 
 /// Makes the description of a failure, as JSON, or is refused in the same way.
 [[clang::export_name("failure")]] bool vidno_failure() { return vidno::attempt(vidno::make_failure); }

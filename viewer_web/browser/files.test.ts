@@ -1,6 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import type { AppElement } from '../src/app/app.js';
 import { browser } from './browser.js';
 import { goTo, isOpen, open, openFile, opened, repeated, shown, small, whole } from './page.js';
 
@@ -96,14 +97,80 @@ describe('a file of the reader’s own', () => {
   });
 });
 
-async function drop(page: Page, name: string, content: Buffer): Promise<void> {
+describe('a mesh', () => {
+  // A pyramid: its square base is one face, its sides lack the material of the base.
+  const mesh = `mtllib red.mtl
+v 0 0 0
+v 4 0 0
+v 4 0 4
+v 0 0 4
+v 2 3 2
+usemtl red
+f 1 2 3 4
+usemtl blue
+f 1 5 2
+f 2 5 3
+f 3 5 4
+f 4 5 1
+l 1 5
+`;
+
+  it('becomes a scene, with the colours of the library dropped beside it, and what it lacks', async () => {
+    const { page, faults } = await open(browser, '#lang=ru');
+    await dropTogether(page, [
+      ['red.mtl', Buffer.from('newmtl red\nKd 1 0 0\n')],
+      ['pyramid.obj', Buffer.from(mesh)],
+    ]);
+    await page.locator('.title h2', { hasText: 'pyramid' }).waitFor();
+    const { colors, names } = await page.evaluate(() => {
+      const scene = document.querySelector<AppElement>('vidno-app')?.session.trace?.header.scene;
+      const polygons = scene?.polygons ?? [];
+      return { colors: polygons.map(({ color }) => color), names: polygons.map(({ id }) => id) };
+    });
+    // Faces 0 to 4 in the order of the file; none is edge-on to the camera.
+    expect(names).toEqual(['0', '1', '2', '3', '4']);
+    expect(colors[0]).toBe('#ff0000');
+    const lacks = page.locator('vidno-notice .lacks');
+    expect(await lacks.textContent()).toBe('В сцене есть не всё из файла pyramid.obj:');
+    expect(await page.locator('vidno-notice li').allTextContents()).toEqual([
+      'строка 9: пропущено: цвета: ни в одной библиотеке нет материала «blue»',
+      'строка 14: пропущено: линии и точки',
+    ]);
+    expect(faults).toEqual([]);
+
+    // Another scene lacks nothing.
+    await openFile(page, 'solid.off', 'OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 1\n3 0 1 2\n');
+    await page.locator('.title h2', { hasText: 'solid' }).waitFor();
+    expect(await lacks.count()).toBe(0);
+  });
+
+  it('that is refused leaves the page as it is, with the line and the reason', async () => {
+    const { page, faults } = await open(browser, '#lang=ru');
+    const before = await page.locator('.title h2').textContent();
+    await openFile(page, 'bad.obj', 'v 0 0 0\nv 1 0 zero\n');
+    const notice = page.locator('vidno-notice .unread');
+    expect(await notice.textContent()).toBe('bad.obj: строка 2: не число: zero');
+    expect(await page.locator('.title h2').textContent()).toBe(before);
+    expect(faults).toEqual([]);
+  });
+});
+
+const drop = (page: Page, name: string, content: Buffer): Promise<void> =>
+  dropTogether(page, [[name, content]]);
+
+async function dropTogether(
+  page: Page,
+  files: readonly (readonly [name: string, content: Buffer])[],
+): Promise<void> {
   await page.evaluate(
-    ([fileName, base64]) => {
-      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    (dropped) => {
       const data = new DataTransfer();
-      data.items.add(new File([bytes], fileName));
+      for (const [name, base64] of dropped) {
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        data.items.add(new File([bytes], name));
+      }
       window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
     },
-    [name, content.toString('base64')] as const,
+    files.map(([name, content]) => [name, content.toString('base64')] as const),
   );
 }

@@ -527,14 +527,14 @@ export class AppElement extends LitElement implements Shown, Told {
     this.isAtContents = isOpen && !this.isAtContents;
   }
 
-  private openFile(file: File): void {
+  private openFiles(files: readonly File[]): void {
     this.ways.leave();
     this.turnToContents(false);
-    void this.session.openFile(file, this.closeText);
+    void this.session.openFiles(files, this.closeText);
   }
 
   reopen(file: File, place: PlaceInFile): void {
-    void this.session.openFile(file, this.closeText, { ...place, bookmarks: [] });
+    void this.session.openFiles([file], this.closeText, { ...place, bookmarks: [] });
   }
 
   private readonly closeText = (): void => this.reading.close();
@@ -679,7 +679,7 @@ export class AppElement extends LitElement implements Shown, Told {
         ${contents(this)}
         <vidno-file-drop
           .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
+          @files=${({ detail }: CustomEvent<readonly File[]>) => this.ways.replace(() => this.openFiles(detail))}
         ></vidno-file-drop>
         ${atlas(session, language, () => void this.gallery.show())}
         ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}

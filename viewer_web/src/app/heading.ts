@@ -31,6 +31,7 @@ export function notices(session: Session, language: Language): TemplateResult {
     go,
     () => session.coarsen(),
   )}
+  ${session.lacks === null ? nothing : noticeOf(session.lacks, language, () => undefined)}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
 

@@ -18,13 +18,14 @@ import { Checks } from '../run/checks.js';
 import { Margins } from '../run/margins.js';
 import type { Spot } from '../run/sketch.js';
 import { ExactPicture } from '../run/exact.js';
-import { embeddedLibrary, moduleOf } from '../run/maker.js';
+import { Promised, embeddedLibrary, moduleOf } from '../run/maker.js';
+import { meshRequest } from '../run/mesh.js';
 import { noticeOf, noticeOfRun } from '../run/notice.js';
-import type { Notice } from '../run/notice.js';
+import type { Lacks, Notice } from '../run/notice.js';
 import { usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import { optionsOf, unpacked, wordOf } from '../run/packed.js';
-import { Failures } from '../run/failures.js';
+import { failureIn } from '../run/failures.js';
 import type { Failure } from '../run/failures.js';
 import { isMesh, kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
@@ -59,9 +60,10 @@ interface OpenFailure extends Failure {
   readonly entry: string | null;
 }
 
-/** Where a scene comes from: a failure that it shows, or earlier edits that were not saved. */
+/** Where a scene comes from: a failure that it shows, a mesh that it lacks parts of, or earlier edits that were not saved. */
 interface Origin {
   readonly failure?: OpenFailure | null;
+  readonly lacks?: Lacks | null;
   readonly isUnsaved?: boolean;
   readonly arrive?: () => void;
 }
@@ -84,6 +86,8 @@ export class Session implements ReactiveController {
   notice: Notice | null = null;
   /** The failure whose scene is open. */
   failure: OpenFailure | null = null;
+  /** What the open scene lacks of the mesh that it was made of. */
+  lacks: Lacks | null = null;
   /** Whether the scene is at rest. During a drag, the page computes only what a frame shows. */
   isResting = true;
   private timer = 0;
@@ -96,12 +100,13 @@ export class Session implements ReactiveController {
   readonly margins: Margins | null;
   readonly rival: Rival;
   readonly witness: Witness;
-  private readonly failures: Failures | null;
+  private readonly failures: Promised<'failure'> | null;
+  private readonly meshes: Promised<'scene'> | null;
 
   /** The place to show in the next run of a scene: the current one, unless a link says otherwise. */
   private goal: Place | null = null;
-  /** The failure whose scene will run next. */
-  private next: OpenFailure | null = null;
+  /** What will belong to the scene that runs next. */
+  private next: Pick<Session, 'failure' | 'lacks'> = { failure: null, lacks: null };
   /** The name of the last request, which may be refused. */
   private asked = '';
   private stopReading = (): void => undefined;
@@ -119,7 +124,8 @@ export class Session implements ReactiveController {
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
     this.margins = library && new Margins(library, changed);
-    this.failures = library && new Failures(library);
+    this.failures = library && new Promised(library, 'failure');
+    this.meshes = library && new Promised(library, 'scene');
     this.exact = new ExactPicture(library, changed);
     this.rival = new Rival(library, changed);
     this.witness = new Witness(library, changed);
@@ -201,12 +207,21 @@ export class Session implements ReactiveController {
     else this.openScene(text, name, { check: false, ...run }, place);
   }
 
-  /** A trace opens at the place. A refused file leaves everything as it is; `arrive` is called before another one is shown. */
-  async openFile(file: File, arrive: () => void, place = beginning): Promise<void> {
+  /**
+   * Opens a file, with others that it names if it is a mesh. A trace opens at the place. A refused file leaves everything as it
+   * is; `arrive` is called before another one is shown.
+   */
+  async openFiles(files: readonly File[], arrive: () => void, place = beginning): Promise<void> {
+    const file = files.find((each) => isMesh(each.name)) ?? files[0];
+    if (file === undefined) return;
     const { name } = file;
     const kind = isMesh(name) ? 'mesh' : await kindOfFile(file);
-    if (kind === 'chart' || kind === 'mesh') {
+    if (kind === 'chart') {
       this.say({ kind, name });
+      return;
+    }
+    if (kind === 'mesh') {
+      await this.openMesh([file, ...files.filter((each) => each !== file)], name, arrive);
       return;
     }
     if (kind === 'trace') {
@@ -219,6 +234,20 @@ export class Session implements ReactiveController {
       else this.openOwn(text, name, arrive);
     } catch (error) {
       this.fail(name, error);
+    }
+  }
+
+  private async openMesh(files: readonly File[], name: string, arrive: () => void): Promise<void> {
+    this.stopReading();
+    this.say({ kind: 'reading', name });
+    const request = await meshRequest(files).catch(() => null);
+    const { made, messages } = (request && (await this.meshes?.ask(request))) ?? {};
+    if (made === undefined || (made === null && messages === '')) this.fail(name, null);
+    else if (made === null) this.say({ kind: 'unread', name, why: messages ?? '' });
+    else {
+      const losses = (messages ?? '').split('\n').filter((loss) => loss !== '');
+      const lacks = losses.length === 0 ? null : ({ kind: 'lacks', name, losses } as const);
+      this.openScene(made, name, usual, beginning, { arrive, lacks });
     }
   }
 
@@ -249,11 +278,11 @@ export class Session implements ReactiveController {
   ): Promise<void> {
     this.stopReading();
     this.say({ kind: 'reading', name });
-    const found = await this.failures?.find(text);
-    if (found === undefined) {
+    if (this.failures === null) {
       this.fail(name, null);
       return;
     }
+    const found = await failureIn(text, this.failures);
     if ('messages' in found) {
       this.say({ kind: 'refused', name, messages: found.messages });
       return;
@@ -347,13 +376,13 @@ export class Session implements ReactiveController {
     name: string,
     options: Options,
     place: Place,
-    { failure = null, isUnsaved = false, arrive = nothing }: Origin = {},
+    { failure = null, lacks = null, isUnsaved = false, arrive = nothing }: Origin = {},
   ): void {
     this.stopReading();
     this.arrive = arrive;
     this.asked = name;
     this.goal = place;
-    this.next = failure;
+    this.next = { failure, lacks };
     if (this.live.load(text, options, isUnsaved)) this.say(null);
     else this.fail(name, null);
   }
@@ -369,8 +398,7 @@ export class Session implements ReactiveController {
     if (goal !== null) {
       this.arrive();
       this.earlier = null;
-      this.failure = this.next;
-      this.next = null;
+      Object.assign(this, this.next);
     }
     this.file = null;
     const place = goal === null ? { step } : { ...goal, step: Math.min(goal.step, length) };
@@ -414,6 +442,7 @@ export class Session implements ReactiveController {
           arrive();
           this.file = lesson === null && file instanceof File ? file : null;
           this.failure = null;
+          this.lacks = null;
           if (lesson === null) this.checks?.doubt(trace);
           this.show(trace, lesson, place);
           this.live.open(trace.header);

@@ -4,7 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import type { FileTexts } from '../language/texts.js';
 import { base } from './theme.js';
 
-/** Accepts a file of the reader's own, chosen or dropped anywhere on the page. */
+/** Accepts files of the reader's own, chosen or dropped anywhere on the page: an event `files`. */
 @customElement('vidno-file-drop')
 export class FileDropElement extends LitElement {
   static override styles = [
@@ -48,7 +48,7 @@ export class FileDropElement extends LitElement {
   ];
 
   @property({ attribute: false }) texts!: FileTexts;
-  @property() accept = '.jsonl,.gz,.json';
+  @property() accept = '.jsonl,.gz,.json,.obj,.mtl,.off,.ply,.stl';
   @property({ type: Boolean, reflect: true }) over = false;
   @state() private depth = 0;
   @query('input') private input!: HTMLInputElement;
@@ -87,8 +87,8 @@ export class FileDropElement extends LitElement {
   }
 
   private give(files: FileList | null | undefined): void {
-    const file = files?.[0];
-    if (file) this.dispatchEvent(new CustomEvent('file', { detail: file }));
+    const detail = [...(files ?? [])];
+    if (detail.length > 0) this.dispatchEvent(new CustomEvent<File[]>('files', { detail }));
   }
 
   override render(): TemplateResult {
@@ -98,6 +98,7 @@ export class FileDropElement extends LitElement {
       <button title=${texts.dropHere} @click=${() => this.input.click()}>${texts.openFile}</button>
       <input
         type="file"
+        multiple
         accept=${this.accept}
         @change=${this.onChoose}
         aria-label=${texts.openFile}

@@ -2,7 +2,19 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  p:is(.reading, .running, .failed, .refused, .unknown, .chart, .mesh, .shortened, .long, .lost) {
+  p:is(
+    .reading,
+    .running,
+    .failed,
+    .refused,
+    .unread,
+    .unknown,
+    .chart,
+    .lacks,
+    .shortened,
+    .long,
+    .lost
+  ) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -24,7 +36,7 @@ export const noticeStyle = css`
     font-size: 0.8125rem;
     font-variant-numeric: tabular-nums;
   }
-  p:is(.failed, .refused, .unknown, .chart, .mesh) {
+  p:is(.failed, .refused, .unread, .unknown, .chart) {
     background: var(--bad-wash);
     color: var(--bad);
   }

@@ -1,7 +1,7 @@
 import type { Edition } from '../trace/editions.js';
 import type { Method } from '../trace/events.js';
 import type { Language } from '../language/language.js';
-import { Maker } from './maker.js';
+import type { Promised } from './maker.js';
 import { usual } from './options.js';
 import type { Options } from './options.js';
 
@@ -55,33 +55,8 @@ function failureOf(text: string, made: string): Failure {
   };
 }
 
-/** Reads files of failures and finds the step where each one shows, with the page's library. */
-export class Failures {
-  private readonly maker: Maker<'failure'>;
-  private tell: ((found: Found) => void) | null = null;
-  private text = '';
-
-  constructor(library: Blob) {
-    this.maker = new Maker(
-      library,
-      'failure',
-      ({ made, messages }) => this.take(made, messages),
-      () => this.take(null, ''),
-    );
-  }
-
-  /** Never settles if another search is started meanwhile. */
-  find(text: string): Promise<Found> {
-    this.text = text;
-    return new Promise((tell) => {
-      this.tell = tell;
-      this.maker.ask(text);
-    });
-  }
-
-  private take(made: string | null, messages: string): void {
-    if (this.maker.isBusy) return;
-    this.tell?.(made === null ? { messages } : { failure: failureOf(this.text, made) });
-    this.tell = null;
-  }
+/** Reads a file of a failure and finds the step where it shows, with the page's library. */
+export async function failureIn(text: string, library: Promised<'failure'>): Promise<Found> {
+  const { made, messages } = await library.ask(text);
+  return made === null ? { messages } : { failure: failureOf(text, made) };
 }

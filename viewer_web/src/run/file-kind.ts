@@ -57,7 +57,7 @@ function isObject(text: string): boolean {
   }
 }
 
-/** How the meshes begin that the program reads: PLY, STL, OFF and, after comments, OBJ. */
+/** How the meshes begin that the library reads: PLY, STL, OFF and, after comments, OBJ. */
 const meshes = [
   /^ply\s/u,
   /^solid\b[^\n]*\s+facet\b/u,
@@ -82,8 +82,8 @@ export async function kindOfFile(file: Blob): Promise<FileKind> {
   return kindOf(await startOf(file));
 }
 
-/** Whether a file is a mesh, by its name: only the program reads meshes. A binary one is recognized by that alone. */
-export const isMesh = (name: string): boolean => /\.(?:obj|off|ply|stl)(?:\.gz)?$/iu.test(name);
+/** Whether a file is a mesh, by its name. A binary one is recognized by that alone. */
+export const isMesh = (name: string): boolean => /\.(?:obj|off|ply|stl)$/iu.test(name);
 
 /** The beginning of its text, as far as it can be read. */
 async function startOf(file: Blob): Promise<string> {

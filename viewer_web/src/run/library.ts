@@ -8,8 +8,12 @@ interface Exports extends Basics {
   map(): number;
   findings(): number;
   margin(): number;
+  scene(): number;
   failure(): number;
 }
+
+/** A request as a text, or as bytes where it contains a file that is no text; see `live.cpp`. */
+export type Request = string | Uint8Array<ArrayBuffer>;
 
 export interface Outcome<T> {
   /** Null if the request was refused. */
@@ -34,37 +38,42 @@ export class Library {
   /**
    * Makes a trace. `take` gets its bytes in the library's memory, which the next request overwrites.
    */
-  run<T>(request: string, take: (bytes: Uint8Array<ArrayBuffer>) => T): Outcome<T> {
+  run<T>(request: Request, take: (bytes: Uint8Array<ArrayBuffer>) => T): Outcome<T> {
     return this.outcome(request, this.instance.exports.run, () => take(this.instance.madeBytes()));
   }
 
   /** One character per place; see `live.cpp`. */
-  map(request: string): Outcome<string> {
+  map(request: Request): Outcome<string> {
     return this.textOf(request, this.instance.exports.map);
   }
 
   /** The list of a run's decisions, `vidno-decisions/1`. */
-  findings(request: string): Outcome<string> {
+  findings(request: Request): Outcome<string> {
     return this.textOf(request, this.instance.exports.findings);
   }
 
   /** The region to which a vertex may be moved, `vidno-margin/1`. */
-  margin(request: string): Outcome<string> {
+  margin(request: Request): Outcome<string> {
     return this.textOf(request, this.instance.exports.margin);
   }
 
+  /** The scene of a mesh; the messages are what it lacks. */
+  scene(request: Request): Outcome<string> {
+    return this.textOf(request, this.instance.exports.scene);
+  }
+
   /** The description of a failure as JSON; see `live.cpp`. */
-  failure(request: string): Outcome<string> {
+  failure(request: Request): Outcome<string> {
     return this.textOf(request, this.instance.exports.failure);
   }
 
-  private textOf(request: string, make: () => number): Outcome<string> {
+  private textOf(request: Request, make: () => number): Outcome<string> {
     return this.outcome(request, make, () => this.instance.made());
   }
 
-  private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {
+  private outcome<T>(request: Request, make: () => number, take: () => T): Outcome<T> {
     const { instance } = this;
-    instance.ask(new TextEncoder().encode(request));
+    instance.ask(typeof request === 'string' ? new TextEncoder().encode(request) : request);
     const start = performance.now();
     const isMade = make() !== 0;
     const milliseconds = performance.now() - start;

@@ -1,6 +1,7 @@
 import { fileIn } from '../base/base64.js';
 import { ready } from '../replay/engine.js';
-import type { Answer, Order, What } from './worker.js';
+import type { Request } from './library.js';
+import type { Answer, Makes, Order, What } from './worker.js';
 import code from './worker.js?code';
 
 type Vouch = (address: string) => unknown;
@@ -50,7 +51,7 @@ export class Maker<W extends What> {
   private worker: Worker | null = null;
   private turn = 0;
   private running: { readonly turn: number; readonly since: number } | null = null;
-  private waiting: string | null = null;
+  private waiting: Request | null = null;
 
   constructor(
     private readonly library: Blob,
@@ -65,7 +66,7 @@ export class Maker<W extends What> {
     return this.running !== null;
   }
 
-  ask(request: string): void {
+  ask(request: Request): void {
     this.waiting = request;
     const { running } = this;
     if (running !== null && performance.now() - running.since > patience) this.stop();
@@ -117,5 +118,39 @@ export class Maker<W extends What> {
     this.running = null;
     if (this.waiting !== null) this.next();
     this.tell(answer);
+  }
+}
+
+/** A result, or why there is none; both are missing if the library itself failed. */
+export interface Made<W extends What> {
+  readonly made: Makes[W] | null;
+  readonly messages: string;
+}
+
+/** Makes results for those who wait for them. A result never comes if another one is asked for meanwhile. */
+export class Promised<W extends What> {
+  private readonly maker: Maker<W>;
+  private tell: ((made: Made<W>) => void) | null = null;
+
+  constructor(library: Blob, what: W) {
+    this.maker = new Maker(
+      library,
+      what,
+      (answer) => this.take(answer),
+      () => this.take({ made: null, messages: '' }),
+    );
+  }
+
+  ask(request: Request): Promise<Made<W>> {
+    return new Promise((tell) => {
+      this.tell = tell;
+      this.maker.ask(request);
+    });
+  }
+
+  private take(made: Made<W>): void {
+    if (this.maker.isBusy) return;
+    this.tell?.(made);
+    this.tell = null;
   }
 }

@@ -1,6 +1,7 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { inWords, lossInWords } from '../language/library-reason.js';
 import { noticeStyle } from '../elements/notice.style.js';
 import { base } from '../elements/theme.js';
 import { complaint, texts, wrongLine } from '../i18n/index.js';
@@ -14,15 +15,24 @@ import { details, numberOf } from '../trace/events.js';
 import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
 
+/** What a scene lacks of the mesh in a file, in the library's words. */
+export interface Lacks {
+  readonly kind: 'lacks';
+  readonly name: string;
+  readonly losses: readonly string[];
+}
+
 /** A notice about a file. */
 export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
   | { readonly kind: 'running' }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
+  /** The library could not read a mesh. */
+  | { readonly kind: 'unread'; readonly name: string; readonly why: string }
   | { readonly kind: 'unknown'; readonly name: string }
   | { readonly kind: 'chart'; readonly name: string }
-  | { readonly kind: 'mesh'; readonly name: string }
+  | Lacks
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened)
   /** The page has ended a run after these many steps, because it is too long. */
@@ -60,9 +70,10 @@ const roles = {
   growing: nothing,
   unknown: 'alert',
   chart: 'alert',
-  mesh: 'alert',
+  lacks: 'status',
   failed: 'alert',
   refused: 'alert',
+  unread: 'alert',
   shortened: 'status',
   lost: 'status',
 } as const;
@@ -84,7 +95,7 @@ export class NoticeElement extends LitElement {
     const { notice } = this;
     if (notice === null) return nothing;
     return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
-      ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}
+      ${this.details(notice)} ${this.stopOf(notice)}
       ${notice.kind === 'lost' && this.leads ? this.way(notice.step) : nothing}
       ${notice.kind === 'long' && !notice.isCoarse ? this.coarser() : nothing}`;
   }
@@ -104,14 +115,14 @@ export class NoticeElement extends LitElement {
     </button>`;
   }
 
-  /** A list of several errors in a file. */
-  private faults(messages: string): TemplateResult | typeof nothing {
-    const all = faultsOf(messages);
-    if (all.length < 2) return nothing;
+  /** A list of several errors in a file, or of what a scene lacks. */
+  private details(notice: Notice): TemplateResult | typeof nothing {
     const { scene } = texts[this.language];
-    return html`<ul class="faults" tabindex="0">
-      ${all.map((fault) => html`<li>${inWordsOf(fault, scene)}</li>`)}
-    </ul>`;
+    if (notice.kind === 'lacks') {
+      return listOf(notice.losses.map((loss) => lossInWords(loss, scene)));
+    }
+    const all = notice.kind === 'refused' ? faultsOf(notice.messages) : [];
+    return all.length < 2 ? nothing : listOf(all.map((fault) => inWordsOf(fault, scene)));
   }
 
   private stopOf({ kind }: Notice): TemplateResult | typeof nothing {
@@ -142,7 +153,10 @@ export class NoticeElement extends LitElement {
       return page.lost(notice.faults, notice.step.toLocaleString(this.language));
     }
     if (notice.kind === 'chart') return page.isChart(notice.name);
-    if (notice.kind === 'mesh') return page.isMesh(notice.name);
+    if (notice.kind === 'unread') {
+      return inWords(notice.why, texts[this.language].scene);
+    }
+    if (notice.kind === 'lacks') return page.lacks(notice.name);
     if (notice.kind === 'refused') {
       return this.sayRefused(notice);
     }
@@ -162,3 +176,8 @@ export class NoticeElement extends LitElement {
     return page.broken(notice.name);
   }
 }
+
+const listOf = (items: readonly string[]): TemplateResult =>
+  html`<ul class="faults" tabindex="0">
+    ${items.map((item) => html`<li>${item}</li>`)}
+  </ul>`;

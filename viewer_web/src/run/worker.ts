@@ -1,5 +1,5 @@
 import { Library } from './library.js';
-import type { Outcome } from './library.js';
+import type { Outcome, Request } from './library.js';
 
 /** The results that the library makes for the page. */
 export interface Makes {
@@ -8,6 +8,7 @@ export interface Makes {
   readonly map: string;
   readonly findings: string;
   readonly margin: string;
+  readonly scene: string;
   readonly failure: string;
 }
 export type What = keyof Makes;
@@ -15,7 +16,7 @@ export type What = keyof Makes;
 /** The page's requests: first the library, then results. */
 export type Order =
   | { readonly library: WebAssembly.Module }
-  | { readonly turn: number; readonly what: What; readonly request: string };
+  | { readonly turn: number; readonly what: What; readonly request: Request };
 
 /** A complete result, or the reason why there is none. */
 export type Answer<W extends What> = Outcome<Makes[W]> & { readonly turn: number };

@@ -309,7 +309,7 @@ export class ChartElement extends LitElement {
       accept=".json"
       ?compact=${compact}
       .texts=${chartTexts[this.language]}
-      @file=${({ detail }: CustomEvent<File>) => this.open(detail)}
+      @files=${({ detail: [file] }: CustomEvent<readonly [File]>) => this.open(file)}
     ></vidno-file-drop>`;
   }
 

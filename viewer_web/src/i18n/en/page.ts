@@ -7,7 +7,7 @@ export const page = {
   noLessons: 'This page was built without lessons.',
   ownFile: 'Your own scene or trace',
   openFile: 'Open a file…',
-  dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz',
+  dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz; .obj, .off, .ply, .stl',
   reading: (name: string): string => `Reading ${name}…`,
   growing: (steps: string, percent: number): string =>
     `Reading: ${steps} steps so far, ${percent}% of the file`,
@@ -39,8 +39,7 @@ export const page = {
   refusedFor: (name: string): string => `${name} cannot be run:`,
   isChart: (name: string): string =>
     `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
-  isMesh: (name: string): string =>
-    `${name} is a mesh. Make a scene of it with the program, and open that: vidno import ${name} -o scene.json`,
+  lacks: (name: string): string => `The scene does not have all of ${name}:`,
   shortened: {
     cut: (line: number): string =>
       `The file breaks off after line ${line}. Showing the run up to there.`,

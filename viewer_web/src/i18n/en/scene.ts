@@ -62,8 +62,15 @@ export const scene = {
   /** A place in the text of a file. */
   at: (line: number, column: number): string => `line ${line}, column ${column}`,
   missing: (key: string): string => `“${key}” is missing`,
+  /** A place in a file: its kind in the library's words, and its number. */
+  placeInFile: (kind: 'line' | 'face' | 'vertex', number: string): string => `${kind} ${number}`,
+  /** What a scene lacks of a mesh, how often, and where first. */
+  leftOut: (where: string, what: string, times: number): string =>
+    `${where}: left out: ${what}${times > 1 ? ` (${times} times, here first)` : ''}`,
   /** The library's reasons for refusal that the page words differently. */
   reasons: {
+    'colours: the library of materials "{}" cannot be read':
+      'colours: the library of materials "{}" is missing; open it together with the mesh',
     'not a hexadecimal number such as "0x1.8p-3"':
       'not a number: write 2.5, or "0x1.8p-3" for a hexadecimal one',
     'has an edge that no other polygon shares':

@@ -8,7 +8,7 @@ export const page: PageTexts = {
   noLessons: 'Эта страница собрана без уроков.',
   ownFile: 'Своя сцена или трасса',
   openFile: 'Открыть файл…',
-  dropHere: 'или перетащите его сюда: .json, .jsonl, .jsonl.gz',
+  dropHere: 'или перетащите его сюда: .json, .jsonl, .jsonl.gz; .obj, .off, .ply, .stl',
   reading: (name) => `Чтение ${name}…`,
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   stopReading: 'Остановить',
@@ -36,8 +36,7 @@ export const page: PageTexts = {
   refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
   refusedFor: (name) => `Сцену ${name} нельзя запустить:`,
   isChart: (name) => `${name} — график: его показывает страница графиков и рисует vidno figure.`,
-  isMesh: (name) =>
-    `${name} — это сетка. Сделайте из неё сцену программой и откройте сцену: vidno import ${name} -o scene.json`,
+  lacks: (name) => `В сцене есть не всё из файла ${name}:`,
   shortened: {
     cut: (line) => `Файл обрывается после строки ${line}: показан прогон до этого места.`,
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',

@@ -1,5 +1,6 @@
 import type { SceneTexts } from '../../language/texts.js';
 import words from '../../trace/format-words.json' with { type: 'json' };
+import { meshReasons } from './mesh-reasons.js';
 import { short } from './numbers.js';
 import { traceReasons } from './trace-reasons.js';
 
@@ -64,8 +65,13 @@ export const scene: SceneTexts = {
   stands: 'Показан прежний прогон.',
   at: (line, column) => `строка ${line}, символ ${column}`,
   missing: (key) => `нет поля «${key}»`,
+  placeInFile: (kind, number) =>
+    `${{ line: 'строка', face: 'грань', vertex: 'вершина' }[kind]} ${number}`,
+  leftOut: (where, what, times) =>
+    `${where}: пропущено: ${what}${times > 1 ? ` (всего ${times}, здесь впервые)` : ''}`,
   reasons: {
     ...traceReasons,
+    ...meshReasons,
     [words.other.en]: words.other.ru,
     [words.newer.en]: words.newer.ru,
     [words.older.en]: words.older.ru,

@@ -1,0 +1,78 @@
+/** The reasons for refusing the file of a mesh, and what its scene lacks, as the library's readers say them. */
+export const meshReasons = {
+  'the name must end in that of a mesh: {}': 'имя файла должно оканчиваться так: {}',
+  'text in UTF-{}; save it as UTF-8': 'текст в UTF-{}; сохраните его в UTF-8',
+  'no camera fits the mesh, which is a point or exceeds the range of doubles':
+    'нельзя выбрать камеру: сетка сжата в точку или выходит за диапазон double',
+  'contains no faces, only {} vertex': 'граней нет, только вершины: {}',
+  'contains no faces, only {} vertices': 'граней нет, только вершины: {}',
+  'contains no faces, only {} vertices; {}: left out: {}':
+    'граней нет, только вершины: {}; {}: пропущено: {}',
+  'contains no faces: the header says 0 triangles': 'граней нет: в заголовке 0 треугольников',
+  'contains no faces, for no solid has a facet': 'граней нет: ни в одном solid нет facet',
+  'a face has a vertex that does not exist': 'у грани есть вершина, которой нет',
+  'a face has a vertex that does not exist, of {}':
+    'у грани есть вершина, которой нет: вершин всего {}',
+  'more than {} faces': 'граней больше {}',
+  'the header says {} {}, more than the file can hold':
+    'в заголовке {} {}: столько в файле не поместится',
+  'a coordinate that is not finite': 'координата не конечна',
+  'a number beyond the range of doubles': 'число вне диапазона double',
+  'a negative count': 'отрицательное количество',
+  'a number is missing': 'не хватает числа',
+  'a whole number is missing': 'не хватает целого числа',
+  'not a number: {}': 'не число: {}',
+  'not a whole number: {}': 'не целое число: {}',
+  '"{}" is missing': 'не хватает слова «{}»',
+  'does not start with OFF': 'начинается не с OFF',
+  'binary OFF is not supported': 'двоичный OFF не читается',
+  'not of three dimensions': 'не в трёхмерном пространстве',
+  'the file ends before its last {}': 'файл обрывается раньше последнего элемента: {}',
+  'does not start with ply': 'начинается не с ply',
+  'no format': 'нет строки format',
+  'a property before the first element': 'property раньше первого element',
+  'unknown keyword: {}': 'неизвестное слово: {}',
+  'unknown PLY format: {}': 'неизвестный формат PLY: {}',
+  'unknown type of a property: {}': 'неизвестный тип property: {}',
+  'a list whose length is not a whole number': 'длина списка — не целое число',
+  'a list that is longer than the file, or of negative length':
+    'список длиннее файла или отрицательной длины',
+  'more numbers than properties': 'чисел больше, чем property',
+  'the file ends in its header': 'файл обрывается в заголовке',
+  'the vertices occur twice': 'вершины описаны дважды',
+  'no vertices': 'нет вершин',
+  'element {} has no properties': 'у element {} нет property',
+  'element {} has no number {}': 'у element {} нет числа {}',
+  'element {} has no list vertex_indices': 'у element {} нет списка vertex_indices',
+  'neither text that begins with solid nor long enough for a binary header':
+    'это не текст, который начинается с solid, а для двоичного заголовка файл короток',
+  'the file ends before endsolid': 'файл обрывается раньше endsolid',
+  textures: 'текстуры',
+  transparency: 'прозрачность',
+  'lines and points': 'линии и точки',
+  'curves and curved surfaces': 'кривые и кривые поверхности',
+  'weights of vertices': 'веса вершин',
+  'numbers after a vertex that are no colour': 'числа после вершины, которые не задают цвета',
+  'statements that are not of OBJ, "{}"': 'строки, которых в OBJ нет: «{}»',
+  'colours: the library of materials "{}" cannot be read':
+    'цвета: нет библиотеки материалов «{}»; откройте её вместе с сеткой',
+  'colours: no library has the material "{}"': 'цвета: ни в одной библиотеке нет материала «{}»',
+  'colours: the material "{}" has no Kd of red, green and blue':
+    'цвета: у материала «{}» нет Kd из красного, зелёного и синего',
+  'colours of vertices, since their face has its own': 'цвета вершин: у грани есть свой',
+  'a change of colour within a face, which has the mean':
+    'переход цвета внутри грани: у неё средний цвет',
+  'colours that are not finite': 'цвета, которые не конечны',
+  'a colour that is a place in a table of colours': 'цвет, заданный номером в таблице цветов',
+  'numbers that are no colour': 'числа, которые не задают цвета',
+  'numbers of vertices that the header does not announce':
+    'числа у вершин, о которых нет слова в заголовке',
+  'text after the last face': 'текст после последней грани',
+  'data after the last element': 'данные после последнего элемента',
+  'element {}': 'element {}',
+  'attributes of triangles, which may be colours': 'атрибуты треугольников: это могут быть цвета',
+  'faces without area': 'грани без площади',
+  'faces that cross themselves': 'грани, которые пересекают сами себя',
+  'faces with too many corners to be cut':
+    'грани, у которых слишком много углов, чтобы их разрезать',
+} as const;
