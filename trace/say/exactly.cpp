@@ -19,6 +19,8 @@ struct Truths : WarnockWords {
     explicit Truths(const PolygonWords& words) : WarnockWords(words), facts(header()) {}
 
     SceneFacts facts;
+    /// The pixel that the last answer is about.
+    mutable std::optional<std::pair<int, int>> pixel{};
 
     // Numbers
 
@@ -291,11 +293,17 @@ private:
         return looks_like(computed, exact) ? Said() : say(so.english, so.russian, exact);
     }
 
+    /// The pixel's name; notes it.
+    Said named(const SceneFacts::Shown& there) const {
+        pixel = {there.x, there.y};
+        return pair(double(there.x), double(there.y));
+    }
+
     /// "at pixel (3, 4) B shows, at depth 1/2."
     Said shown_in(const PixelRectangle& rectangle, int polygons, const std::function<bool(Owner)>& expected) const {
         const auto found = facts.unexpected(rectangle, polygons, expected);
         if (!found) return {};
-        const Said at = pair(double(found->x), double(found->y));
+        const Said at = named(*found);
         if (!found->polygon) return say("pixel {} shows the background.", "в пикселе {} виден фон.", at);
         const auto depth = facts.depth(*found->polygon, {found->x + .5, found->y + .5});
         return say("pixel {} shows {}, whose depth there is {}.", "в пикселе {} виден {}, его глубина там {}.", at,
@@ -306,13 +314,13 @@ private:
     }
 
     /// Why the polygon does not show at a pixel, where another one or none of those so far does.
-    Said not_nearest(PolygonPlace polygon, const SceneFacts::Shown& pixel) const {
-        const ValuePoint centre{pixel.x + .5, pixel.y + .5};
-        const Said at = pair(double(pixel.x), double(pixel.y));
-        if (!pixel.polygon || facts.holds(polygon.index, centre) == false) {
+    Said not_nearest(PolygonPlace polygon, const SceneFacts::Shown& there) const {
+        const ValuePoint centre{there.x + .5, there.y + .5};
+        const Said at = named(there);
+        if (!there.polygon || facts.holds(polygon.index, centre) == false) {
             return say("the centre of pixel {} lies outside {}.", "центр пикселя {} лежит вне {}.", at, polygon);
         }
-        const PolygonPlace other{*pixel.polygon};
+        const PolygonPlace other{*there.polygon};
         const auto own = facts.depth(polygon.index, centre), others = facts.depth(other.index, centre);
         const auto [one, two] = apart(*others, *own, language());
         return order_of(*others, *own) == Sign::zero
@@ -408,20 +416,30 @@ bool can_be_wrong(const TraceHeader& header) {
     return header.edition != Edition::corrected || !kernel || !kernel->is_always_right();
 }
 
-std::string exactly(const EventView& event, const PolygonWords& words) {
-    if (!can_be_wrong(words.header())) return {};
+namespace {
+
+std::optional<Exact> found_by(const PolygonWords& words, auto&& ask) {
+    if (!can_be_wrong(words.header())) return std::nullopt;
     const Truths truths(words);
-    return event.visit([&](const auto& e) { return truths(e); });
+    Said text = ask(truths);
+    return text.empty() ? std::nullopt : std::optional(Exact{std::move(text), truths.pixel});
 }
 
-std::string exactly_at(int x, int y, const PolygonWords& words) {
-    if (!can_be_wrong(words.header())) return {};
-    return Truths(words).at_pixel(x, y, words.after().screen().pixel(x, y).color);
+}  // namespace
+
+std::optional<Exact> exactly(const EventView& event, const PolygonWords& words) {
+    return found_by(words, [&](const Truths& truths) { return event.visit([&](const auto& e) { return truths(e); }); });
 }
 
-Statement stated(std::string text, const std::string& exactly, const Words& words) {
-    if (exactly.empty()) return {std::move(text), {}};
-    return {words.say("Computed: {}", "Вычислено: {}", text), words.say("Exactly: {}", "На самом деле: {}", exactly)};
+std::optional<Exact> exactly_at(int x, int y, const PolygonWords& words) {
+    return found_by(
+        words, [&](const Truths& truths) { return truths.at_pixel(x, y, words.after().screen().pixel(x, y).color); });
+}
+
+Statement stated(std::string text, const std::optional<Exact>& exact, const Words& words) {
+    if (!exact) return {std::move(text)};
+    return {words.say("Computed: {}", "Вычислено: {}", text),
+            words.say("Exactly: {}", "На самом деле: {}", exact->text), exact->pixel};
 }
 
 }  // namespace vidno::say

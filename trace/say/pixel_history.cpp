@@ -354,8 +354,8 @@ Statement sentence_for_pixel(const EventView& event, Outcome outcome, const Stat
     }
     const auto polygon = after.z_buffer().polygon();
     if (event.get_if<event::Span>() && outcome == Outcome::fail && polygon) {
-        return {words.say("On this row {} leaves the pixel as it is.", "В этой строке {} не меняет пикселя.", *polygon),
-                {}};
+        return {
+            words.say("On this row {} leaves the pixel as it is.", "В этой строке {} не меняет пикселя.", *polygon)};
     }
     return sentence(event, after, language);
 }
@@ -481,27 +481,27 @@ Statement why(const EventView& event, const State& after, Pixel pixel, std::opti
               Language language, bool is_later) {
     const WarnockWords words{PolygonWords(after, language)};
     const auto [reason, is_background] = event.visit(ReasonOf{after, words});
-    std::string so = exactly_at(pixel.x, pixel.y, words);
-    if (!so.empty()) {
-        so += wrong_at ? words.say(" The run goes wrong at step {}.", " Прогон ошибается на шаге {}.",
-                                   step_in(words, *wrong_at))
-                       : words.say(" The steps of this trace do not tell where the run goes wrong.",
-                                   " По шагам этой трассы не видно, где прогон ошибается.");
+    auto so = exactly_at(pixel.x, pixel.y, words);
+    if (so) {
+        so->text += wrong_at ? words.say(" The run goes wrong at step {}.", " Прогон ошибается на шаге {}.",
+                                         step_in(words, *wrong_at))
+                             : words.say(" The steps of this trace do not tell where the run goes wrong.",
+                                         " По шагам этой трассы не видно, где прогон ошибается.");
     } else {
         so = exactly(event, words);
     }
-    const auto [computed, exact] = stated(reason, so, words);
+    Statement said = stated(reason, so, words);
     const std::string step = step_in(words, after.step());
     if (is_background) {
-        return {is_later ? words.say("Why it becomes background at step {}: {}",
-                                     "Почему на шаге {} здесь будет фон: {}", step, computed)
-                         : words.say("Why it is background: {}", "Почему здесь фон: {}", computed),
-                exact};
+        said.text = is_later ? words.say("Why it becomes background at step {}: {}",
+                                         "Почему на шаге {} здесь будет фон: {}", step, said.text)
+                             : words.say("Why it is background: {}", "Почему здесь фон: {}", said.text);
+    } else {
+        said.text = is_later ? words.say("Why it gets this colour at step {}: {}",
+                                         "Почему на шаге {} он получит этот цвет: {}", step, said.text)
+                             : words.say("Why it has this colour: {}", "Почему у него такой цвет: {}", said.text);
     }
-    return {is_later ? words.say("Why it gets this colour at step {}: {}", "Почему на шаге {} он получит этот цвет: {}",
-                                 step, computed)
-                     : words.say("Why it has this colour: {}", "Почему у него такой цвет: {}", computed),
-            exact};
+    return said;
 }
 
 }  // namespace vidno::say

@@ -28,12 +28,13 @@ std::string of_algorithm(const EventView& event, const PolygonWords& words) {
 
 Statement sentence(const EventView& event, const State& after, Language language) {
     const PolygonWords words(after, language);
-    return stated(without_doubled_signs(of_algorithm(event, words)), without_doubled_signs(exactly(event, words)),
-                  words);
+    auto exact = exactly(event, words);
+    if (exact) exact->text = without_doubled_signs(std::move(exact->text));
+    return stated(without_doubled_signs(of_algorithm(event, words)), exact, words);
 }
 
 Statement sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
-    return {without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language))), {}};
+    return {without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language)))};
 }
 
 }  // namespace vidno::say

@@ -18,7 +18,8 @@
 ///     trace_sentence(t, step, language)
 ///                            makes the sentence that says what a step does, in the language with this place in the
 ///                            table of languages; where what it states is not so, what is so follows on a second line,
-///                            as after the other sentences
+///                            and on a third one the pixel that shows it, "x y", if it is about one, as after the other
+///                            sentences
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last
 ///                            (values.h)
 ///
@@ -98,6 +99,11 @@ void append_statement(Text& out, const say::Statement& said) {
     if (said.exactly.empty()) return;
     out += '\n';
     out += said.exactly;
+    if (!said.pixel) return;
+    out += '\n';
+    append_integer(out, said.pixel->first);
+    out += ' ';
+    append_integer(out, said.pixel->second);
 }
 
 /// Where the run goes wrong about the pixel before a step of its history.

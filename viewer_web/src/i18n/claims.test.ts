@@ -9,6 +9,7 @@ import { Rational } from '../testing/rational.js';
 import { traceOf } from '../testing/traces.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { N } from '../trace/values.js';
+import { correctedPixel, isCorrected } from '../language/stated.js';
 
 /** The program that makes the runs; `./dev test` names it. */
 const program = process.env['VIDNO_PROGRAM'];
@@ -130,7 +131,7 @@ async function faultsOf(run: RandomRun): Promise<readonly string[]> {
   return lines.flatMap((line, i) => {
     const event = JSON.parse(line) as Event;
     const said = trace.timeline.sentence(i + 1, 'en');
-    const isMarked = said.includes('\n');
+    const isMarked = isCorrected(said);
     const fault = (what: string): readonly string[] => [`${line} “${said}” ${what}`];
     if (neverErrs) return isMarked ? fault('is marked, and cannot be wrong') : [];
     // Polygons that are edge-on show as lines there.
@@ -141,6 +142,9 @@ async function faultsOf(run: RandomRun): Promise<readonly string[]> {
       if (!isSo) names.add(event.e);
       if (isSo === isMarked) return fault(isSo ? 'is so, and marked' : 'is not so, and not marked');
     }
+    const [, named] = /Exactly: .*?pixel \((−?\d+, −?\d+)\)/u.exec(said) ?? [];
+    const place = correctedPixel(said)?.join(', ').replaceAll('-', '−');
+    if (place !== named) return fault(`marks ${place} instead of the pixel that it names`);
     return truth.isSaidRightly(said) ? [] : fault('states another truth');
   });
 }

@@ -1,4 +1,5 @@
 import type { View } from '../algorithm/view.js';
+import { correctedPixel, isCorrected } from '../language/stated.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { N, Point } from '../trace/values.js';
@@ -37,12 +38,19 @@ const common: Draws = {
   fault: ({ x, y }) => (x === undefined || y === undefined ? [] : [box('off', [x, y, 1, 1])]),
 };
 
+/** Where what the run computed is not so, the pixel that shows it is red, or else all that the event marks. */
 export function eventMarks(draws: Draws, view: View): readonly Mark[] {
-  const { event } = view;
+  const { event, sentence } = view;
   if (event === null) return [];
-  const marks = (draws[event.e] ?? common[event.e]) as Draw<EventName> | undefined;
-  return marks?.(event, view) ?? [];
+  const draw = (draws[event.e] ?? common[event.e]) as Draw<EventName> | undefined;
+  const marks = draw?.(event, view) ?? [];
+  if (!isCorrected(sentence)) return marks;
+  const pixel = correctedPixel(sentence);
+  return pixel === null ? marks.map(inRed) : [...marks, box('wrong', [...pixel, 1, 1])];
 }
+
+const inRed = (mark: Mark): Mark =>
+  mark.kind === 'note' || mark.kind === 'target' ? mark : { ...mark, role: 'wrong' };
 
 /** The polygon of the step, or else the current polygon of the algorithm. */
 export function polygonInHand(

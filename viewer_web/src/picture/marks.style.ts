@@ -102,10 +102,14 @@ export const marksStyle = css`
   .casing.clip,
   .casing.clip-new,
   .casing.window,
-  .casing.edge {
+  .casing.edge,
+  .casing.wrong {
     stroke: #ffffff;
     stroke-width: 5;
     stroke-dasharray: none;
+  }
+  .casing.wrong {
+    fill: none;
   }
   .chosen,
   .cursor {
@@ -153,6 +157,12 @@ export const marksStyle = css`
     fill: #10131c;
     stroke: var(--pointed);
     stroke-width: 5;
+  }
+  .dot.wrong {
+    fill: #c1121f;
+    fill-opacity: 1;
+    stroke: #ffffff;
+    stroke-width: 2;
   }
   .dot.no {
     fill: #ffffff;
