@@ -14,6 +14,97 @@ namespace {
 using Said = std::string;
 using Owner = std::optional<int>;
 
+/// Whether the digits of a sentence are right.
+bool looks_like(const Value& computed, const Value& exact, Language language) {
+    if (computed.fraction) return computed == exact;
+    // Half of a last digit may be rounded either way.
+    constexpr double tiny = 1e-12;
+    const double one = number_of(computed), other = number_of(exact);
+    if (std::abs(one - other) <= tiny * std::abs(other)) return true;
+    const auto digits = [&](const Value& value) {
+        const Said text = short_number(number_of(value), language);
+        constexpr std::string_view about = "≈";
+        return text.starts_with(about) ? text.substr(about.size()) : text;
+    };
+    return digits(computed) == digits(exact);
+}
+
+/// What is so at an event of curves. The edges of the surface, and the steps between columns, are not examined.
+struct CurveTruths : CurveWords {
+    explicit CurveTruths(const CurveWords& words) : CurveWords(words), facts(*header().scene.curves) {}
+
+    CurveFacts facts;
+
+    Said operator()(const event::Visibility& e) const {
+        const auto flag = after().curve ? facts.flag(*after().curve, e.x) : std::nullopt;
+        // What is on both horizons is on each of them.
+        const bool is_so = flag == e.flag || (flag == VisibilityFlag::both && e.flag != VisibilityFlag::hidden);
+        return !flag || is_so ? Said() : lies_at(e.x);
+    }
+    Said operator()(const event::Height& e) const {
+        if (!after().curve) return {};
+        const auto y = facts.height(*after().curve, e.x);
+        if (!y) return {};
+        const auto reached = facts.horizons(*after().curve, e.x);
+        const auto is_so = [&](const std::optional<Value>& computed, const Value& exact) {
+            return computed && looks_like(*computed, exact, language());
+        };
+        const bool are_so =
+            reached ? is_so(e.upper, reached->upper) && is_so(e.lower, reached->lower) : !e.upper && !e.lower;
+        return are_so && is_so(e.y, *y) ? Said() : lies_at(e.x);
+    }
+    Said operator()(const event::Intersection& e) const { return at_end(e.point, e.columns); }
+    Said operator()(const event::DrawLine& e) const {
+        if (!after().curve) return {};
+        for (int x = e.from_columns.first; x <= e.to_columns.second; ++x) {
+            if (number_of(e.from.x) >= x || x >= number_of(e.to.x)) continue;
+            if (facts.flag(*after().curve, x) == VisibilityFlag::hidden) return lies_at(x);
+        }
+        Said so = at_end(e.from, e.from_columns);
+        return so.empty() ? at_end(e.to, e.to_columns) : so;
+    }
+
+    Said operator()(const auto&) const { return {}; }
+
+private:
+    /// What is so at an end of a line: a point of the curve over a column, or where it meets a horizon between two.
+    Said at_end(const ValuePoint& end, const std::pair<int, int>& columns) const {
+        using enum VisibilityFlag;
+        const auto [left, right] = columns;
+        if (!after().curve) return {};
+        if (left == right) {
+            const auto y = facts.height(*after().curve, left);
+            return y && !looks_like(end.y, *y, language()) ? lies_at(left) : Said();
+        }
+        std::optional<ValuePoint> found;
+        for (const VisibilityFlag side : {above, below}) {
+            const auto crossing = facts.crossing(*after().curve, left, side);
+            if (!crossing) continue;
+            found = crossing;
+            if (looks_like(end.x, found->x, language()) && looks_like(end.y, found->y, language())) return {};
+        }
+        if (found) return say("it meets the horizon at {}.", "она встречает горизонт в {}.", *found);
+        return say("it meets no horizon between the columns {} and {}.",
+                   "между столбцами {} и {} она горизонта не встречает.", left, right);
+    }
+
+    /// "over column 3 it is hidden: the curve is at 1/2, the horizons are at 1/4 and 3/4."
+    Said lies_at(int x) const {
+        const int curve = *after().curve;
+        const auto y = facts.height(curve, x);
+        const auto reached = facts.horizons(curve, x);
+        if (!reached) {
+            return say("over column {} it is visible: it is at {}, and there is no horizon.",
+                       "над столбцом {} она видна: она на высоте {}, а горизонта там нет.", x, *y);
+        }
+        const Bilingual is = facts.flag(curve, x) == VisibilityFlag::hidden ? Bilingual{"hidden", "не видна"}
+                                                                            : Bilingual{"visible", "видна"};
+        return say("over column {} it is {}: it is at {}, the horizons are at {} and {}.",
+                   "над столбцом {} она {}: она на высоте {}, горизонты на {} и {}.", x, in(is), *y, reached->upper,
+                   reached->lower);
+    }
+};
+
 /// What is so at an event. Each function returns nothing if the sentence of the event is right.
 struct Truths : WarnockWords {
     explicit Truths(const PolygonWords& words) : WarnockWords(words), facts(header()) {}
@@ -275,19 +366,8 @@ private:
         return polygon ? word(PolygonPlace{*polygon}) : Said(in(nothing));
     }
 
-    /// Whether the digits of a sentence are right.
     bool looks_like(const Value& computed, const Value& exact) const {
-        if (computed.fraction) return computed == exact;
-        // Half of a last digit may be rounded either way.
-        constexpr double tiny = 1e-12;
-        const double one = number_of(computed), other = number_of(exact);
-        if (std::abs(one - other) <= tiny * std::abs(other)) return true;
-        const auto digits = [&](const Value& value) {
-            const Said text = short_number(number_of(value), language());
-            constexpr std::string_view about = "≈";
-            return text.starts_with(about) ? text.substr(about.size()) : text;
-        };
-        return digits(computed) == digits(exact);
+        return say::looks_like(computed, exact, language());
     }
     Said number(const Value& computed, const Value& exact, const Bilingual& so) const {
         return looks_like(computed, exact) ? Said() : say(so.english, so.russian, exact);
@@ -411,12 +491,12 @@ private:
 
 }  // namespace
 
-bool can_be_wrong(const TraceHeader& header) {
-    const auto kernel = kernel_named(header.kernel);
-    return header.edition != Edition::corrected || !kernel || !kernel->is_always_right();
-}
-
 namespace {
+
+bool can_err(Edition edition, const std::string& kernel_name) {
+    const auto kernel = kernel_named(kernel_name);
+    return edition != Edition::corrected || !kernel || !kernel->is_always_right();
+}
 
 std::optional<Exact> found_by(const PolygonWords& words, auto&& ask) {
     if (!can_be_wrong(words.header())) return std::nullopt;
@@ -427,8 +507,18 @@ std::optional<Exact> found_by(const PolygonWords& words, auto&& ask) {
 
 }  // namespace
 
+bool can_be_wrong(const TraceHeader& header) { return can_err(header.edition, header.kernel); }
+bool can_be_wrong(const FloatingHorizonHeader& header) { return can_err(header.edition, header.kernel); }
+
 std::optional<Exact> exactly(const EventView& event, const PolygonWords& words) {
     return found_by(words, [&](const Truths& truths) { return event.visit([&](const auto& e) { return truths(e); }); });
+}
+
+std::optional<Exact> exactly(const EventView& event, const CurveWords& words) {
+    if (!can_be_wrong(words.header())) return std::nullopt;
+    const CurveTruths truths(words);
+    Said text = event.visit([&](const auto& e) { return truths(e); });
+    return text.empty() ? std::nullopt : std::optional(Exact{std::move(text), std::nullopt});
 }
 
 std::optional<Exact> exactly_at(int x, int y, const PolygonWords& words) {

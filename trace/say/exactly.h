@@ -13,6 +13,7 @@ namespace vidno::say {
 
 /// Whether a run's words can be wrong: its kernel rounds, or its text is not the corrected one.
 bool can_be_wrong(const TraceHeader& header);
+bool can_be_wrong(const FloatingHorizonHeader& header);
 
 /// What is so instead, after "Exactly: ", in exact arithmetic and by the picture rule; and the pixel that shows it, if
 /// it is about one.
@@ -23,6 +24,7 @@ struct Exact {
 
 /// None if what the event's sentence states is so.
 std::optional<Exact> exactly(const EventView& event, const PolygonWords& words);
+std::optional<Exact> exactly(const EventView& event, const CurveWords& words);
 
 /// The same for the colour that a pixel has.
 std::optional<Exact> exactly_at(int x, int y, const PolygonWords& words);

@@ -1,5 +1,6 @@
 #include "say/scene_facts.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -244,6 +245,97 @@ std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pi
     if (width <= 0 || height <= 0) return std::nullopt;
     auto near = polygons_->near({x + .5, y + .5, width - 1., height - 1.}, polygons);
     return near ? unexpected_among(std::move(*near), pixels, expected) : std::nullopt;
+}
+
+namespace {
+
+Rational height_on(const Sample& from, const Sample& to, int x) {
+    return Rational(from.y) + Rational(x - from.x) * (Rational(to.y) - Rational(from.y)) / Rational(to.x - from.x);
+}
+
+std::optional<Rational> height_of(const Curve& curve, int x) {
+    for (const Piece& piece : pieces_of(curve)) {
+        for (std::size_t i = 1; i < piece.size(); ++i) {
+            if (piece[i - 1].x <= x && x <= piece[i].x) return height_on(piece[i - 1], piece[i], x);
+        }
+    }
+    return std::nullopt;
+}
+
+/// The height of a side edge over a column strictly between its ends.
+std::optional<Rational> height_of_edge(const Sample& from, const Sample& to, int x) {
+    const bool is_between = std::min(from.x, to.x) < x && x < std::max(from.x, to.x);
+    return is_between ? std::optional(height_on(from, to, x)) : std::nullopt;
+}
+
+/// The outer ends of a curve's pieces; none if it has no piece.
+std::optional<std::pair<Sample, Sample>> ends_of(const Curve& curve) {
+    const auto pieces = pieces_of(curve);
+    if (pieces.empty()) return std::nullopt;
+    return std::pair(pieces.front().front(), pieces.back().back());
+}
+
+/// The heights of the horizons over a column. Heights grow downward, so the upper one is the least.
+struct ReachedHeights {
+    Rational upper, lower;
+
+    const Rational& on(VisibilityFlag side) const { return side == VisibilityFlag::above ? upper : lower; }
+};
+
+std::optional<ReachedHeights> reached_before(const CurveScene& scene, int curve, int x) {
+    std::optional<ReachedHeights> reached;
+    const auto include = [&](const std::optional<Rational>& y) {
+        if (!y) return;
+        if (!reached) reached = ReachedHeights{*y, *y};
+        if (*y < reached->upper) reached->upper = *y;
+        if (*y > reached->lower) reached->lower = *y;
+    };
+    std::optional<std::pair<Sample, Sample>> last;
+    for (std::size_t each = 0;; ++each) {
+        const Curve& next = scene.curves[each];
+        const auto ends = ends_of(next);
+        // A curve's left edge is before it, its right one after it.
+        if (last && ends) include(height_of_edge(last->first, ends->first, x));
+        if (each == std::size_t(curve)) return reached;
+        include(height_of(next, x));
+        if (last && ends) include(height_of_edge(last->second, ends->second, x));
+        last = ends;
+    }
+}
+
+}  // namespace
+
+std::optional<Value> CurveFacts::height(int curve, int x) const {
+    const auto y = height_of(scene_->curves[std::size_t(curve)], x);
+    return y ? std::optional(as_value(*y)) : std::nullopt;
+}
+
+std::optional<CurveFacts::Reached> CurveFacts::horizons(int curve, int x) const {
+    const auto reached = reached_before(*scene_, curve, x);
+    return reached ? std::optional(Reached{as_value(reached->upper), as_value(reached->lower)}) : std::nullopt;
+}
+
+std::optional<VisibilityFlag> CurveFacts::flag(int curve, int x) const {
+    using enum VisibilityFlag;
+    const auto y = height_of(scene_->curves[std::size_t(curve)], x);
+    if (!y) return std::nullopt;
+    const auto reached = reached_before(*scene_, curve, x);
+    if (!reached) return both;
+    const bool reaches_upper = *y <= reached->upper, reaches_lower = *y >= reached->lower;
+    if (reaches_upper && reaches_lower) return both;
+    if (reaches_upper) return above;
+    return reaches_lower ? below : hidden;
+}
+
+std::optional<ValuePoint> CurveFacts::crossing(int curve, int x, VisibilityFlag side) const {
+    const Curve& own = scene_->curves[std::size_t(curve)];
+    const auto left = height_of(own, x), right = height_of(own, x + 1);
+    const auto from = reached_before(*scene_, curve, x), to = reached_before(*scene_, curve, x + 1);
+    if (!left || !right || !from || !to) return std::nullopt;
+    const Rational first = *left - from->on(side), last = *right - to->on(side);
+    if (first == 0 || last == 0 || (first < 0) == (last < 0)) return std::nullopt;
+    const Rational t = first / (first - last);
+    return ValuePoint{as_value(Rational(x) + t), as_value(*left + t * (*right - *left))};
 }
 
 }  // namespace vidno

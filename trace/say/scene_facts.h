@@ -1,4 +1,5 @@
-/// SceneFacts: what is so in a scene, in exact arithmetic and by the picture rule, whatever a run computes.
+/// SceneFacts and CurveFacts: what is so in a scene, in exact arithmetic and by the rule that its methods follow,
+/// whatever a run computes.
 #pragma once
 
 #include <functional>
@@ -8,13 +9,15 @@
 
 #include "format/trace_header.h"
 #include "vidno/family/relation.h"
+#include "vidno/floating_horizon/curves.h"
+#include "vidno/floating_horizon/horizons.h"
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/window.h"
 
 namespace vidno {
 
-/// Polygons are named by their place in the scene, edges by their first vertex. What is made of an infinite coordinate,
+/// By the picture rule. Polygons are named by their place in the scene, edges by their first vertex. What is made of an infinite coordinate,
 /// or of one that is no number, is not known.
 class SceneFacts {
 public:
@@ -63,6 +66,32 @@ public:
 private:
     struct Polygons;
     std::unique_ptr<Polygons> polygons_;
+};
+
+/// By the rule of vidno/floating_horizon/floating_horizon.h. Curves are named by their place in the scene, from the
+/// nearest.
+class CurveFacts {
+public:
+    /// The curves must outlive the facts.
+    explicit CurveFacts(const CurveScene& scene) : scene_(&scene) {}
+
+    /// The height of a curve over a column; none beside it, and in a gap.
+    std::optional<Value> height(int curve, int x) const;
+
+    struct Reached {
+        Value upper, lower;
+    };
+    /// The horizons over a column before a curve; none where nothing has reached it.
+    std::optional<Reached> horizons(int curve, int x) const;
+
+    /// How a curve lies over a column; none where it has no point.
+    std::optional<VisibilityFlag> flag(int curve, int x) const;
+
+    /// Where a curve crosses one of the horizons strictly between a column and the next.
+    std::optional<ValuePoint> crossing(int curve, int x, VisibilityFlag side) const;
+
+private:
+    const CurveScene* scene_;
 };
 
 }  // namespace vidno

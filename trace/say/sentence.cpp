@@ -24,17 +24,24 @@ std::string of_algorithm(const EventView& event, const PolygonWords& words) {
     return {};
 }
 
-}  // namespace
+std::string of_algorithm(const EventView& event, const CurveWords& words) {
+    return floating_horizon_sentence(event, words);
+}
 
-Statement sentence(const EventView& event, const State& after, Language language) {
-    const PolygonWords words(after, language);
+Statement sentence_with(const EventView& event, const auto& words) {
     auto exact = exactly(event, words);
     if (exact) exact->text = without_doubled_signs(std::move(exact->text));
     return stated(without_doubled_signs(of_algorithm(event, words)), exact, words);
 }
 
+}  // namespace
+
+Statement sentence(const EventView& event, const State& after, Language language) {
+    return sentence_with(event, PolygonWords(after, language));
+}
+
 Statement sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
-    return {without_doubled_signs(floating_horizon_sentence(event, CurveWords(after, language)))};
+    return sentence_with(event, CurveWords(after, language));
 }
 
 }  // namespace vidno::say
