@@ -1,21 +1,26 @@
 /** Milliseconds: browsers limit how often an address may change. */
 const pause = 250;
-/** Milliseconds: changes that follow each other sooner belong to the same move, such as the drag of a slider. */
-const same = 300;
+/** What a reader does to begin a move. A drag of a slider is one move, and so is a key that is held down. */
+const actions = ['pointerdown', 'keydown', 'click', 'change', 'drop'] as const;
 
 /** The page's address, and the browser's history with an entry for each jump, so that *Back* undoes the jump. */
 export class Trail {
   private timer = 0;
   /** Whether the page's address already names something that is not shown yet. */
   private isAhead = false;
-  /** The timer of the last move, until the next one no longer belongs to it. */
-  private recent = 0;
+  /** Whether the reader has done nothing since the last move: what changes then belongs to it, however late it comes. */
+  private isSame = false;
 
   /** `kept` is stored with each entry: what the address cannot hold. */
   constructor(
     private readonly compose: () => Promise<string>,
     private readonly kept: () => unknown,
-  ) {}
+  ) {
+    const act = (event: Event): void => {
+      this.isSame &&= event instanceof KeyboardEvent && event.repeat;
+    };
+    for (const action of actions) window.addEventListener(action, act, { capture: true });
+  }
 
   /** Writes the address soon after a change. */
   write(): void {
@@ -29,10 +34,8 @@ export class Trail {
 
   /** Called before something else is shown, with the current address, so that *Back* returns to it. */
   leave(address: string | null): void {
-    const isSame = this.recent !== 0;
-    clearTimeout(this.recent);
-    this.recent = window.setTimeout(() => (this.recent = 0), same);
-    if (isSame) return;
+    if (this.isSame) return;
+    this.isSame = true;
     if (address !== null) history.replaceState(this.kept(), '', address);
     history.pushState(null, '', location.href);
     this.write();
