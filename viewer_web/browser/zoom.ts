@@ -8,7 +8,7 @@ export const stage = 'vidno-picture > svg';
 export const scaleOf = (page: Page): Promise<number> =>
   page.locator(stage).evaluate((svg) => (svg as SVGSVGElement).getScreenCTM()?.a ?? 0);
 
-/** The same, rounded as mouse events report it. */
+/** Where a point of the picture is on the page, rounded as mouse events report it. */
 export async function dotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
   const spot = await spotOf(page, x, y);
   return { x: Math.round(spot.x), y: Math.round(spot.y) };

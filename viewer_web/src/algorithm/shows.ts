@@ -79,7 +79,7 @@ function showsOfMethod(method: Method): Shows {
 
 export const showsOf = ({ header }: Pick<View, 'header'>): Shows => showsOfMethod(header.method);
 
-/** The same for a scene that is being edited. */
+/** The elements for a scene that is being edited. */
 export const showsOfEdited = ({ options }: Editing): Shows => showsOfMethod(options.method);
 
 /** The texts about places in the picture of a view, in its language. */

@@ -125,7 +125,7 @@ export class Live {
     return carried;
   }
 
-  /** The same, if it is known at once, or else undefined. */
+  /** What `carried` gives, if it is known at once, or else undefined. */
   get carriedNow(): Carried | null | undefined {
     const { editing, last } = this;
     if (editing === null || !this.isRun) return null;

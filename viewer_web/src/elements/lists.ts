@@ -6,7 +6,7 @@ import { polygonName } from './parts.js';
 /** The most rows shown: a list may be far longer than anyone reads. */
 const mostRows = 200;
 const mostChips = 12;
-/** The same on paper, where nobody can scroll. */
+/** The most rows on paper, where nobody can scroll. */
 export const mostPrinted = 9;
 
 function emptyOrMore(length: number, { texts }: View): TemplateResult {
@@ -31,7 +31,7 @@ export function rowsOf<T>(
     ${emptyOrMore(entries.length, view)}`;
 }
 
-/** The same in a scrolling box. */
+/** Rows in a scrolling box. */
 export function listOf<T>(
   label: string,
   look: string,

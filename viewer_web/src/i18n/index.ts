@@ -29,7 +29,7 @@ export function complaint(
   return page.unreadable(name, line, path, inWords(reason, scene));
 }
 
-/** The same for the line up to which the file is a valid trace. */
+/** A notice of the line up to which the file is a valid trace. */
 export function wrongLine({ line, path, reason }: Complaint, language: Language): string {
   const { page, scene } = texts[language];
   return page.wrongLine(line, path, inWords(reason, scene));

@@ -51,7 +51,7 @@ export class Frame {
   private readonly bounds: Rectangle;
   /** CSS pixels per unit of the plane. */
   readonly scale: number;
-  /** The same for the whole. */
+  /** The scale at which the whole fills the box. */
   private readonly fit: number;
   /** The least magnification, at which everything is visible: 1 or less. */
   private readonly least: number;
@@ -131,7 +131,7 @@ export class Frame {
     return Math.min(Math.max(wanted, from + half), from + length - half);
   }
 
-  /** The same plane and box with another zoom. */
+  /** This plane and box with another zoom. */
   with(zoom: Zoom | null): Frame {
     return new Frame(this.area, this.size, zoom, this.extent, this.margin);
   }

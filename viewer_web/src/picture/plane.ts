@@ -56,7 +56,7 @@ export abstract class PlaneElement extends LitElement {
   @state() protected cursor: Pixel | null = null;
   /** The pixel under the pointer; an event `pointed` reports it. */
   @state() private pointed: Pixel | null = null;
-  /** The same before the page shows it. */
+  /** The pixel under the pointer before the page shows it. */
   private underPointer: Pixel | null = null;
   /** The visible part of the picture. */
   @state() private zoom: Zoom | null = null;

@@ -31,7 +31,7 @@ export function colorAt(part: number): string {
 
 const inks = Uint32Array.from({ length: steps }, (_, i) => toPixel(colorAt(i / (steps - 1))));
 
-/** The same as a pixel. */
+/** The colour at a part of the ramp, as a pixel. */
 export function inkAt(part: number): number {
   return inks[Math.round(Math.min(Math.max(part, 0), 1) * (steps - 1))] ?? 0;
 }

@@ -92,7 +92,7 @@ export function sayEntry({ asks, options }: Part, value: string, language: Langu
     : words[of](value, language);
 }
 
-/** The same in a sentence: in the options a relation is a sign and a word, in an answer only the word. */
+/** A value in a sentence: in the options a relation is a sign and a word, in an answer only the word. */
 export function sayAnswer(part: Part, value: string, language: Language): string {
   const [, of] = parts[part.asks];
   return of === 'relation'

@@ -24,10 +24,10 @@ export interface Telling {
   readonly language: Language;
 }
 
-/** The same where no term is explained: in a heading, a caption or a link. */
+/** Explains no term, as in a heading, a caption or a link. */
 export const withoutTerms = (telling: Telling): Telling => ({ ...telling, terms: null });
 
-/** The same for a copy of a text that is printed at another place. */
+/** Makes no places, for a copy of a text that is printed elsewhere. */
 export const withoutPlaces = (telling: Telling): Telling => ({
   ...withoutTerms(telling),
   isCopy: true,

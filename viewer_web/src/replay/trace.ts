@@ -20,7 +20,7 @@ export interface Ended {
 /** Why the trace is shorter than the run, or than its file with a wrong line. */
 export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
-/** The same as the library tells it. */
+/** Why it is shorter, as the library says it. */
 interface Told {
   readonly why: 'cut' | 'partial' | 'wrong';
   readonly line: number;

@@ -31,7 +31,7 @@ export function faultsOf(messages: string): readonly Fault[] {
     });
 }
 
-/** The same in words: place and reason. */
+/** A fault in words: place and reason. */
 export function inWordsOf({ line, column, place, reason }: Fault, say: SceneTexts): string {
   const where = line === null || column === null ? [] : [say.at(line, column)];
   return [...where, ...(place === '' ? [] : [place]), inWords(reason, say)].join(': ');
@@ -56,7 +56,7 @@ export function refusalOf(messages: string, { polygons }: Sketch): SceneRefusal 
   return { polygon: polygon?.id ?? (place === '' ? null : place), reason };
 }
 
-/** The same as a sentence. */
+/** The library's first reason as a sentence. */
 export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
   const { polygon, reason } = refusalOf(message, sketch);
   if (polygon === '/function') return say.formula(inWords(reason, say));

@@ -34,7 +34,7 @@ export function sceneText(sketch: Sketch): string {
   return JSON.stringify({ format: 'vidno-scene/1', name, window: area, background, polygons });
 }
 
-/** The same for people: one polygon or curve per line. */
+/** The file for people to read: one polygon or curve per line. */
 export function sceneFile(sketch: Sketch): string {
   if (sketch.curves !== null) return `${surfaceText(sketch).replaceAll(']],[[', ']],\n [[')}\n`;
   const { polygons, ...rest } = JSON.parse(sceneText(sketch)) as { polygons: unknown[] };

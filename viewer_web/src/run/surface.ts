@@ -106,7 +106,7 @@ export function withFormula(sketch: Sketch, change: Partial<Formula>): Sketch {
   return formula === undefined ? sketch : { ...sketch, formula: { ...formula, ...change } };
 }
 
-/** The same without extra samples where the curve bends, with exactly the requested number. */
+/** Takes exactly the requested number of samples, and no more where the curve bends. */
 export function withoutTolerance(sketch: Sketch): Sketch {
   const { formula } = sketch;
   if (formula?.tolerance === undefined) return sketch;

@@ -28,7 +28,7 @@ export async function keptOf(
   return trace;
 }
 
-/** The same for a file in which no line is wrong. */
+/** The trace in a file in which no line is wrong. */
 export async function traceOf(
   text: string | Uint8Array<ArrayBuffer>,
   most?: number,

@@ -55,7 +55,7 @@ export function following(range: Range, step: number, length: number): Range {
   return within(step - before * span, span, length);
 }
 
-/** The same in whole steps. */
+/** The range in whole steps. */
 export const inSteps = ({ from, to }: Range): Range => ({
   from: Math.round(from),
   to: Math.round(to),

@@ -153,6 +153,6 @@ export function kernelSays(kernel: string): Bilingual {
 export const isAlwaysRight = (kernel: string): boolean =>
   kernels[kindOfKernel(kernel)]?.alwaysRight === true;
 
-/** The same for the scene as given; some kernels are right only for the scene that they snap. */
+/** Whether it does so for the scene as given; some kernels are right only for the scene that they snap. */
 export const isRightAsGiven = (kernel: string): boolean =>
   isAlwaysRight(kernel) && kernels[kindOfKernel(kernel)]?.snaps === false;

@@ -12,7 +12,7 @@ export const bookmarks = {
   hint: (key: string | null): string =>
     `${key === null ? 'Bookmark' : `Press ${key} to bookmark`} the step that is shown, with a note. Enter ends the note.`,
   linked: 'The link to this page contains them: copy it from the address bar and send it.',
-  /** The same for a page on disk, whose address works for nobody else. */
+  /** Replaces it for a page on disk, whose address works for nobody else. */
   onDisk: 'To send them, save the page: the button “Save page” is on the tab “Scene”.',
   unlinked:
     'They last until another trace is opened, because a link cannot contain your file. “Save page” on the tab “Scene” keeps them.',

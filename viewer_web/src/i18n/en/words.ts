@@ -24,17 +24,17 @@ export const verdict = {
   finished: 'Finished',
   pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
-  /** The same where polygons share a colour, so that a right colour may be that of a wrong polygon. */
+  /** Replaces it where polygons share a colour, so that a right colour may be that of a wrong polygon. */
   allColorsRight: 'all colours as in exact arithmetic',
   someWrong: (n: number): string =>
     `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
-  /** The same for a text that is not the corrected one: its arithmetic may be right. */
+  /** Replaces it for a text that is not the corrected one: its arithmetic may be right. */
   someOther: (n: number): string =>
     `${count(n, { one: 'differs', other: 'differ' })} from the correct picture`,
   comparing: 'being compared with exact arithmetic…',
   notCompared: 'not compared with exact arithmetic',
   decisionsRight: 'every decision as in exact arithmetic',
-  /** The same for a text that is not the corrected one: its picture may be wrong nevertheless. */
+  /** Replaces it for a text that is not the corrected one: its picture may be wrong nevertheless. */
   decisionsRightBut: 'every decision as in exact arithmetic, but this is not the corrected text',
   /** The number of steps. */
   decisionsWrong: (n: number): string =>
