@@ -117,7 +117,10 @@ export function faultsInHall(page: Page, steps: readonly number[]): Promise<read
         inside?.querySelector<HTMLElement>('[aria-current]');
       if (!list || player.step === 0) return;
       const at = root.querySelector('.at')?.textContent ?? '';
-      if (!now) { fault('no current line', at); return; }
+      if (!now) {
+        fault('no current line', at);
+        return;
+      }
       const next = now.matches('h3')
         ? now.nextElementSibling?.firstElementChild
         : now.nextElementSibling;
