@@ -2,7 +2,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { goTo, open, opened, shown, small } from './page.js';
+import { faultsInHall, presentIn } from './hall.js';
+import { goTo, open, opened, sampleTrace, shown, small } from './page.js';
 
 async function presenting(hash = '#lang=en'): Promise<{ page: Page; faults: readonly string[] }> {
   const { page, faults } = await open(browser, hash, { viewport: { width: 1280, height: 720 } });
@@ -16,6 +17,43 @@ async function presenting(hash = '#lang=en'): Promise<{ page: Page; faults: read
 
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
 
+/** A run of each method, and those whose state differs. */
+const runs = [
+  'small.warnock.signs',
+  'small.warnock.windows',
+  'small.warnock-simplest.signs',
+  'small.warnock-full.signs',
+  'small.warnock-vertex.signs',
+  'small.warnock-angles.signs',
+  'edges.warnock-edges.signs',
+  'body.warnock-bodies.signs',
+  'small.zbuffer.signs',
+  'wedge.weiler-atherton.signs',
+  'hills.floating-horizon.signs',
+];
+
+describe('the lecture hall', () => {
+  it.each(['en', 'ru'])('has everything in sight, and nothing moves, in %s', async (language) => {
+    const { page, faults } = await open(browser, `#lang=${language}&view=lesson`);
+    const found: string[] = [];
+    for (const run of runs) {
+      await opened(page, `${run}.jsonl`, sampleTrace(run));
+      const steps = await presentIn(page, language);
+      for (const [width, height] of [
+        [1024, 768],
+        [1280, 720],
+        [1920, 1080],
+      ] as const) {
+        await page.setViewportSize({ width, height });
+        const wrong = await faultsInHall(page, steps);
+        found.push(...wrong.map((each) => `${run}, ${width} x ${height}: ${each}`));
+      }
+    }
+    expect(found).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+});
+
 describe('the presentation', () => {
   it('is controlled by a presenter remote', async () => {
     const { page, faults } = await presenting();
@@ -28,21 +66,61 @@ describe('the presentation', () => {
     expect(faults).toEqual([]);
   });
 
-  it('blanks the screen with B or a full stop, and shows it again at any key, which does nothing else', async () => {
+  it('blackens the screen with B or a full stop until any key or click, which does nothing else', async () => {
     const { page } = await presenting();
-    for (const [dark, light] of [
-      ['b', 'PageDown'],
-      ['.', '.'],
-      ['b', 'Escape'],
-    ] as const) {
-      await page.keyboard.press(dark);
+    const lights = [
+      () => page.keyboard.press('PageDown'),
+      () => page.keyboard.press('.'),
+      () => page.keyboard.press('Escape'),
+      () => page.keyboard.press('Enter'), // which does nothing in a hall
+      () => page.mouse.click(300, 300),
+    ];
+    for (const [i, light] of lights.entries()) {
+      await page.keyboard.press(i % 2 === 0 ? 'b' : '.');
       const curtain = await page.locator('.curtain').boundingBox();
       expect(curtain).toEqual({ x: 0, y: 0, width: 1280, height: 720 });
-      await page.keyboard.press(light);
+      await light();
       await page.locator('.curtain').waitFor({ state: 'detached' });
     }
     expect(await step(page)).toBe(60);
     expect(await page.locator('.corner').isVisible()).toBe(true);
+  });
+
+  it('points with P, draws with P again, and erases with Escape or the third P', async () => {
+    const { page, faults } = await presenting();
+    const spot = page.locator('vidno-pen circle');
+    const stroke = page.locator('vidno-pen polyline');
+    const drag = async (): Promise<void> => {
+      await page.mouse.move(200, 200);
+      await page.mouse.down();
+      await page.mouse.move(260, 240);
+      await page.mouse.up();
+    };
+    await page.keyboard.press('p');
+    await page.mouse.move(300, 100);
+    const box = await spot.boundingBox();
+    expect([
+      (box?.x ?? NaN) + (box?.width ?? NaN) / 2,
+      (box?.y ?? NaN) + (box?.height ?? NaN) / 2,
+    ]).toEqual([expect.closeTo(300, 0), expect.closeTo(100, 0)]);
+    expect(box?.height).toBeGreaterThan(720 / 25);
+    await page.keyboard.press('p');
+    await drag();
+    expect(await spot.count()).toBe(0);
+    expect(await stroke.getAttribute('points')).toMatch(/^200,200 .*260,240$/);
+    // What is drawn remains while the run goes on.
+    await page.keyboard.press('PageDown');
+    expect(await step(page)).toBe(61);
+    expect(await stroke.count()).toBe(1);
+    await page.keyboard.press('Escape');
+    await page.locator('vidno-pen').waitFor({ state: 'detached' });
+    for (const press of ['p', 'p']) await page.keyboard.press(press);
+    expect(await stroke.count()).toBe(0);
+    await drag();
+    await page.keyboard.press('p');
+    await page.locator('vidno-pen').waitFor({ state: 'detached' });
+    expect(await page.locator('.corner').isVisible()).toBe(true);
+    expect(faults).toEqual([]);
   });
 
   it('is left by Escape, F or its button', async () => {
@@ -59,26 +137,6 @@ describe('the presentation', () => {
       await page.locator('.corner').waitFor();
     }
     expect(faults).toEqual([]);
-  });
-
-  it('fills the window, with large type for listing and sentence', async () => {
-    const { page } = await presenting();
-    expect(await page.locator('vidno-player').boundingBox()).toEqual({
-      x: 0,
-      y: 0,
-      width: 1280,
-      height: 720,
-    });
-    // The window has 720 lines: a letter of the listing takes at least 18, one of the sentence 27.
-    const size = (selector: string): Promise<number> =>
-      page
-        .locator(selector)
-        .first()
-        .evaluate((e) => Number.parseFloat(getComputedStyle(e).fontSize) * e.currentCSSZoom);
-    expect(await size('vidno-listing code')).toBeGreaterThanOrEqual(18);
-    expect(await size('.sentence')).toBeGreaterThanOrEqual(27);
-    expect(await page.locator('vidno-page-header').isVisible()).toBe(true);
-    expect(await page.locator('vidno-page-header').getAttribute('inert')).not.toBe(null);
   });
 
   it('lets a pixel be pointed at', async () => {
@@ -106,11 +164,14 @@ describe('the presentation', () => {
     expect(again.faults).toEqual([]);
   });
 
-  it('is accessible', async () => {
+  it('is accessible, and separates the line from the sentence for those who hear it', async () => {
     const { page } = await open(browser, '#lang=ru');
     await opened(page, 'small.jsonl', small);
+    await goTo(page, 60);
+    await page.locator('input[type=number]').blur();
     await page.keyboard.press('f');
     await page.locator('.corner').waitFor();
     expect(await violations(page)).toEqual([]);
+    expect(await page.locator('.sentence').ariaSnapshot()).toContain('PW5 : В левом верхнем углу');
   });
 });

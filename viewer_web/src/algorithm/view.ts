@@ -43,10 +43,12 @@ export interface View {
   readonly targets?: readonly Target[];
   /** The marks of the decisions worth looking at. */
   readonly found?: readonly Mark[];
+  /** Whether a lecture hall sees it, where nobody scrolls. */
+  readonly hall?: boolean;
 }
 
 /** The parts of a view that the reader chooses, as opposed to those from the trace. */
-export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found'>;
+export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found' | 'hall'>;
 
 export function viewOf(trace: Trace, step: number, choice: Choice): View {
   const { header, timeline } = trace;

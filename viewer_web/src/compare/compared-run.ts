@@ -15,7 +15,7 @@ import type { ListingElement } from '../listing/listing-element.js';
 import '../player/picture-panel.js';
 import type { PicturePanelElement } from '../player/picture-panel.js';
 import type { Kind } from '../picture/save.js';
-import { base } from '../elements/theme.js';
+import { base, hiddenStyle } from '../elements/theme.js';
 import { Typed } from '../elements/typed.js';
 
 /** Its parts are items of the surrounding grid. */
@@ -137,7 +137,7 @@ const comparedStyle = css`
  */
 @customElement('vidno-compared-run')
 export class ComparedRunElement extends LitElement {
-  static override styles = [base, comparedStyle];
+  static override styles = [base, hiddenStyle, comparedStyle];
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
@@ -192,7 +192,9 @@ export class ComparedRunElement extends LitElement {
         <vidno-listing .trace=${trace} .view=${view} ?breakable=${this.breakable}></vidno-listing>
       </section>
       <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
-        <span class="at">${event?.at ?? '·'}</span> <span>${statement(view.sentence)}</span>
+        <span class="at">${event?.at ?? '·'}</span>
+        <span class="heard">: </span>
+        <span>${statement(view.sentence)}</span>
       </p>
     `;
   }

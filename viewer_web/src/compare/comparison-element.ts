@@ -357,7 +357,7 @@ export class ComparisonElement extends StageElement {
         ${this.announcer.render()} ${this.playControls(view, check, this.history)}
         ${this.presenter.corner(view)}
       </div>
-      ${this.presenter.curtain()}
+      ${this.presenter.cover()}
       <vidno-keys .texts=${view.texts} pair @vidno-keys=${() => this.requestUpdate()}></vidno-keys>
     `;
   }

@@ -39,6 +39,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['corner', ['← ↑ ↓ →', 'PgUp', 'PgDn', '+', 'Del']],
   ['present', ['F']],
   ['remote', ['PgDn', 'PgUp', 'B', '.', 'Esc']],
+  ['pen', ['P']],
   ['compare', ['D']],
   ['parting', ['J', 'Shift J']],
   ['save', ['S', 'Shift S']],

@@ -1,6 +1,6 @@
 import { css, unsafeCSS } from 'lit';
 import { stateParts } from '../algorithm/shows.js';
-import { mostPrinted } from './lists.js';
+import { mostInHall, mostPrinted } from './lists.js';
 
 /** On paper a list states the number of further rows. */
 const panelsPrint = css`
@@ -51,7 +51,7 @@ const onScreen = css`
     display: grid;
     --values: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
     grid-template-columns: var(--values);
-    gap: 0.35rem var(--hall-gap, 0.75rem);
+    gap: 0.35rem 0.75rem;
   }
   .values div {
     min-width: 0;
@@ -239,6 +239,67 @@ const onScreen = css`
   }
 `;
 
+/** In a lecture hall each part has its place, whatever the step, and no type is smaller than 0.75rem. */
+const inHall = css`
+  :host([hall]) {
+    gap: 0.35rem 0.75rem;
+    padding: 0.35rem 0.75rem 0.45rem;
+    overflow: hidden;
+    --row: 1.2rem;
+  }
+  :host([hall]) section {
+    min-width: 0;
+    padding: 0;
+    border: 0;
+  }
+  :host([hall]) :is(h3, h4) {
+    margin: 0;
+    font-size: 0.75rem;
+    line-height: 1.3;
+  }
+  :host([hall]) .values {
+    grid-template-columns: repeat(4, minmax(0, 1fr));
+    gap: 0.1rem 0.6rem;
+  }
+  :host([hall]) dt {
+    font-size: 0.75rem;
+  }
+  :host([hall]) :is(dd, .corners td) {
+    font-size: 0.9375rem;
+  }
+  :host([hall]) dd {
+    height: 1.3em;
+    min-height: 0;
+    line-height: 1.3;
+  }
+  :host([hall]) .rows :is(th, td) {
+    height: var(--row);
+    line-height: 1.2;
+  }
+  :host([hall]) .rows :is(th, td, td.number) {
+    font-size: 0.8125rem;
+    white-space: nowrap;
+  }
+  :host([hall]) .rows :is(td.level, td.said, thead th) {
+    font-size: 0.75rem;
+  }
+  :host([hall]) .list {
+    height: calc((${mostInHall} + var(--heads, 0)) * var(--row) + 0.2rem);
+    overflow: hidden;
+  }
+  :host([hall]) .empty {
+    font-size: 0.75rem;
+    line-height: var(--row);
+  }
+  /* A label and its value in one line. */
+  :host([hall]) .line,
+  :host([hall]) .line :is(dl, div) {
+    display: flex;
+    gap: 0.6rem;
+    align-items: baseline;
+  }
+`;
+
 /** A panel reduced to some of its parts hides the others, and those that the trace does not record. */
 const onlyParts = unsafeCSS(
   [
@@ -247,4 +308,4 @@ const onlyParts = unsafeCSS(
   ].join(',\n') + ' { display: none; }',
 );
 
-export const panelsStyle = [onScreen, onlyParts, panelsPrint];
+export const panelsStyle = [onScreen, inHall, onlyParts, panelsPrint];

@@ -16,6 +16,9 @@ import { panelsStyle } from '../elements/panels.style.js';
 import { value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
 
+const columnsShown = 9;
+const columnsInHall = 5;
+
 const horizonPanelStyle = css`
   .values.two {
     grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
@@ -40,9 +43,21 @@ const horizonPanelStyle = css`
   .rows tr.current :is(th, td) {
     font-weight: 700;
   }
+  :host([hall]) .values.two {
+    grid-template-columns: repeat(6, minmax(0, 1fr));
+  }
+  :host([hall]) .two div {
+    grid-column: span 2;
+  }
+  /* The columns after the number of lines, since they need more room. */
+  :host([hall]) .two div:is(:nth-child(3), :nth-child(4)) {
+    grid-column: span 3;
+    order: 1;
+  }
+  :host([hall]) .list {
+    --heads: 3; /* a line for the heads, and two more columns */
+  }
 `;
-
-const columnsShown = 9;
 
 /** The state of the floating horizon: curve, segment, side edges, the last two columns, the horizons around them. */
 @customElement('vidno-horizon')
@@ -67,7 +82,7 @@ export class HorizonPanel extends LitElement {
     const { say } = this;
     return html`
       ${this.place()}
-      <section data-part="side-edges">
+      <section class="line" data-part="side-edges">
         <h3>${say.edges}</h3>
         <dl class="values two">
           ${this.edge(say.left, this.now.edges.left, this.old.edges.left)}
@@ -134,12 +149,12 @@ export class HorizonPanel extends LitElement {
 
   /** The horizons over a constant number of columns, so that nothing moves. */
   private horizons(): TemplateResult {
-    const { columns, header, texts: page } = this.view;
+    const { columns, header, texts: page, hall } = this.view;
     const { area } = header.scene;
     if (columns === null || header.detail === 'windows') {
       return html`<p class="hint">${page.notInTrace}</p>`;
     }
-    const count = Math.min(columnsShown, area.width);
+    const count = Math.min(hall === true ? columnsInHall : columnsShown, area.width);
     const middle = this.column - Math.floor(count / 2);
     const first = Math.min(Math.max(middle, area.x), area.x + area.width - count);
     const { say } = this;

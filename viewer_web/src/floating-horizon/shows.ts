@@ -38,7 +38,11 @@ function curveIcon(entry: CurveLegendEntry): SVGTemplateResult {
 
 defineShows(['floating-horizon'], {
   state: (view, parts) =>
-    html`<vidno-horizon .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-horizon>`,
+    html`<vidno-horizon
+      .view=${view}
+      ?hall=${view.hall}
+      parts=${parts?.join(' ') ?? nothing}
+    ></vidno-horizon>`,
   legend: curveEntries,
   icon: (entry) => (isCurveEntry(entry) ? curveIcon(entry) : null),
   picture: (of) => {

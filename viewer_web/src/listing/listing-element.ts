@@ -198,6 +198,35 @@ const listingStyle = css`
     text-decoration: none;
     cursor: help;
   }
+  :host([hall]) .head {
+    height: 1.6rem;
+  }
+  /* A line below the last whole one fades, which shows that the procedure continues. */
+  :host([hall]) .procedures {
+    scroll-padding-bottom: 0.6rem;
+    mask-image: linear-gradient(#000000 calc(100% - 0.6rem), transparent);
+    scrollbar-width: none;
+  }
+  :host([hall]) :is(h3, section li) {
+    font-size: 0.8125rem;
+  }
+  :host([hall]) h3 {
+    margin-top: 0.3rem;
+    padding-block: 0.1rem;
+  }
+  /* Less room is kept for notes: more lines are in sight. */
+  :host([hall]) var {
+    width: auto;
+    min-width: 3.5rem;
+    max-width: 60%;
+  }
+  :host([hall]) section li {
+    padding-block: 0.1rem;
+    line-height: 1.3;
+  }
+  :host([hall]) :is(.at, .defect) {
+    font-size: 0.75rem;
+  }
   /* Only the running procedures: those of the line and of its callers. */
   @media print {
     .mark {
@@ -400,7 +429,9 @@ export class ListingElement extends LitElement {
     const find = (what: string): HTMLElement | null => this.renderRoot.querySelector(what);
     // Before the first step the listing is at its beginning.
     const mark = this.view.step === 0 ? find('section') : (find('.entered h3') ?? find('.now'));
-    this.follower.follow(find('.procedures'), mark);
+    const procedure = this.view.step === 0 ? null : mark?.closest('section');
+    const lines = procedure?.querySelectorAll<HTMLElement>('h3, li') ?? [];
+    this.follower.follow(find('.procedures'), mark, 0, [...lines]);
   }
 }
 

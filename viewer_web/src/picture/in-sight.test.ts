@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bringInSight } from './in-sight.js';
+import { bringInSight, bringLineInSight } from './in-sight.js';
 
 const line = (offsetTop: number) => ({ offsetTop, offsetHeight: 20 });
 
@@ -10,5 +10,20 @@ describe('a list', () => {
     expect(box.scrollTop).toBe(0);
     bringInSight(box, line(300));
     expect(box.scrollTop).toBe(270);
+  });
+
+  it('shows a line and its neighbours, from the first line if there is room', () => {
+    const box = { scrollTop: 500, clientHeight: 90 };
+    const lines = [100, 120, 140, 160, 180, 200, 220].map(line);
+    bringLineInSight(box, lines, 2);
+    expect(box.scrollTop).toBe(100);
+    // The last line is in sight, but the one after it is not: then two thirds of the list end with that one.
+    bringLineInSight(box, lines, 4);
+    expect(box.scrollTop).toBe(160);
+    bringLineInSight(box, lines, 3);
+    expect(box.scrollTop).toBe(140);
+    // Nothing follows the last line; text fades over the last 30.
+    bringLineInSight(box, lines, 6, 30);
+    expect(box.scrollTop).toBe(200);
   });
 });

@@ -48,7 +48,6 @@ import type { Keeper } from '../predict/keeper.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
-import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Command, TravelElement } from '../time/travel.js';
 import './picture-panel.js';
@@ -626,7 +625,9 @@ export class PlayerElement extends StageElement {
     const step = trace === null ? 0 : this.step;
     const findings = trace && this.side === 'exact' ? this.checkOf(trace).findings : undefined;
     const found = findings ? findingMarks(findings, step) : this.marginMarks();
-    const choice = { language, pixel, pointed: this.pointing.at, asked, ...(found && { found }) };
+    const { presenting: hall } = this;
+    const pointed = this.pointing.at;
+    const choice = { language, pixel, pointed, asked, hall, ...(found && { found }) };
     const view = trace && viewOf(trace, step, choice);
     this.view = view && { ...view, targets: this.predictor.targetsIn(view) };
   }
@@ -713,6 +714,7 @@ export class PlayerElement extends StageElement {
     const veiled = isOpen || isForced;
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
+    const verdict = verdictOn(trace, view, this.exact, check);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
       ${this.source.remark(this.language)}
@@ -725,13 +727,14 @@ export class PlayerElement extends StageElement {
           ${this.announcer.render()}
           <div class="said">
             <p
-              class="sentence"
+              class="sentence ${lengthOf(`${verdict ?? ''} ${view.sentence}`)}"
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
               <span class="at">${view.event?.at ?? '·'}</span>
+              <span class="heard">: </span>
               <span
-                >${this.verdict(trace, view)}
+                >${verdict === null ? nothing : html`<strong class="verdict">${verdict}</strong>`}
                 ${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
               >
             </p>
@@ -765,15 +768,16 @@ export class PlayerElement extends StageElement {
             <vidno-listing
               .trace=${this.trace}
               .view=${view}
+              ?hall=${this.presenting}
               ?breakable=${this.breakable && !veiled}
             ></vidno-listing>
           </section>
           ${this.edited === null ? nothing : this.editor(this.edited, view)}
-          ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history, veiled) : nothing}
+          ${isShown('side', this.layout, this.side, this.partsAsked?.length !== 0) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
-      ${this.presenter.curtain()}
+      ${this.presenter.cover()}
       <vidno-keys
         .texts=${texts}
         ?flat=${!hasSolid(view)}
@@ -806,10 +810,9 @@ export class PlayerElement extends StageElement {
     </button>`;
   }
 
-  /** The result, at the end of the run. */
-  private verdict(trace: Trace, view: View): TemplateResult | typeof nothing {
-    const said = verdictOn(trace, view, this.exact, this.checkOf(trace));
-    return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
+  /** The parts of the state that a lesson asks for. A hall sees all parts, since each has its place. */
+  private get partsAsked(): readonly StatePart[] | null {
+    return this.layout === 'lesson' && !this.presenting ? this.parts : null;
   }
 
   /** The scene while it is edited. */
@@ -860,7 +863,7 @@ export class PlayerElement extends StageElement {
           .side=${this.side}
           .sought=${this.sought}
           ?veiled=${veiled}
-          .parts=${this.layout === 'lesson' ? this.parts : null}
+          .parts=${this.partsAsked}
           .predictor=${this.predictor}
           ?bare=${this.presenting}
           @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
@@ -884,6 +887,10 @@ export class PlayerElement extends StageElement {
     else super.steer(command);
   }
 }
+
+/** How long a sentence is: in a hall, a long one has smaller type, so that nothing moves. */
+const lengthOf = (said: string): '' | 'long' | 'longest' =>
+  said.length < 105 ? '' : said.length < 190 ? 'long' : 'longest';
 
 /** The terms of a sentence. A polygon may be named like one. */
 const termsIn = ({ language, header }: View): FirstTerms =>

@@ -1,90 +1,78 @@
 import { css } from 'lit';
 import { leastPanel } from '../elements/theme.js';
 
-/** For a projector: the content of 850 pixels, as large as the screen allows. */
+/**
+ * For a lecture hall: the picture, beside it the procedure and the state, and below them the sentence, each in its place.
+ * `Presenter` enlarges all of it, so type of 0.75rem has at least a fiftieth of the screen's height.
+ */
 export const presenterStyle = css`
   :host([presenting]) {
     position: fixed;
     inset: 0;
     z-index: 10;
-    padding: 0.5rem 0.5rem 0;
+    padding: 0.375rem;
     overflow: auto;
-    --gap: 0.5rem;
+    --gap: 0.375rem;
     background: var(--paper);
     --bar: 0px;
-    --hall: grid;
-    --hall-values: repeat(2, minmax(0, 1fr));
-    --hall-gap: 0.4rem;
-    --hall-list: 5rem;
-    --hall-line: 0px;
-    --hall-wide: auto;
-  }
-  @media (min-width: 1000px) {
-    :host([presenting]) {
-      zoom: 1.2;
-    }
-  }
-  @media (min-width: 1200px) {
-    :host([presenting]) {
-      zoom: 1.5;
-    }
-  }
-  @media (min-width: 1600px) and (min-height: 850px) {
-    :host([presenting]) {
-      zoom: 1.9;
-    }
-  }
-  @media (min-width: 1900px) and (min-height: 1000px) {
-    :host([presenting]) {
-      zoom: 2.25;
-    }
-  }
-  @media (min-width: 2500px) and (min-height: 1300px) {
-    :host([presenting]) {
-      zoom: 3;
-    }
-  }
-  @media (min-width: 3800px) and (min-height: 2000px) {
-    :host([presenting]) {
-      zoom: 4.5;
-    }
   }
   :host([presenting]) .stage {
-    --picture-share: 1fr;
-    --beside-share: 1.05fr;
-    --side-share: 1.2fr;
     min-height: ${leastPanel};
   }
-  :host([presenting]) .beside {
-    grid-template:
-      'listing' minmax(0, 1fr)
-      'between' var(--gap)
-      'side' minmax(0, var(--side-share)) / minmax(0, 1fr);
+  :host([presenting]) .side {
+    display: flex;
   }
-  :host([presenting]) .beside:not(:has(> .side)) {
-    grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
-  }
-  :host([presenting]) .beside:has(> .scene) {
-    display: grid;
-    grid-template: 'listing' minmax(0, 1fr) 'scene' minmax(0, 1.6fr) / minmax(0, 1fr);
-    gap: var(--gap);
-  }
-  :host([presenting]) .beside:has(> .scene) > .side {
-    display: none;
-  }
-  :host([presenting]) .beside:has(> .solid) {
-    --side-share: 1.5fr;
-  }
-  :host([presenting]) .beside:has(> .side:is(.predict, .exact)) {
-    --side-share: 2.4fr;
+  @media (min-width: 720px) {
+    :host([presenting]) .stage {
+      grid-template:
+        'picture across beside' minmax(min-content, 1fr)
+        'dock dock dock' auto / minmax(${leastPanel}, 1fr) var(--gap) minmax(0, 1.3fr);
+    }
+    /* The state has the height of its parts, which is the same at each step, and the procedure what remains. */
+    :host([presenting]) .beside {
+      grid-template:
+        'listing' minmax(0, 1fr)
+        'between' var(--gap)
+        'side' auto / minmax(0, 1fr);
+    }
+    :host([presenting]) .side.state {
+      contain: content;
+    }
+    :host([presenting]) .beside:has(> .side:not(.state)) {
+      grid-template-rows: minmax(0, 1fr) var(--gap) minmax(0, var(--side-share));
+      --side-share: 1.2fr;
+    }
+    :host([presenting]) .beside:has(> .solid) {
+      --side-share: 1.5fr;
+    }
+    :host([presenting]) .beside:has(> .side:is(.predict, .exact)) {
+      --side-share: 2.4fr;
+    }
+    :host([presenting]) .beside:has(> .scene) {
+      display: grid;
+      grid-template: 'listing' minmax(0, 1fr) 'scene' minmax(0, 1.6fr) / minmax(0, 1fr);
+      gap: var(--gap);
+    }
+    :host([presenting]) .beside:has(> .scene) > .side {
+      display: none;
+    }
   }
   :host([presenting]) .dock {
-    padding: 0.3rem 0.7rem;
+    padding: 0.2rem 0.75rem;
   }
+  /* Four lines of the smallest type. */
   :host([presenting]) .sentence {
-    height: 3.6rem;
-    font-size: 1.25rem;
-    line-height: 1.3;
+    height: 3.5rem;
+    font-size: 1.125rem;
+    line-height: 1.25;
+  }
+  :host([presenting]) .sentence.long {
+    font-size: 0.9375rem;
+    line-height: 1.2;
+  }
+  :host([presenting]) .sentence.longest {
+    font-size: 0.75rem;
+    line-height: 1.15;
   }
   @media (max-width: 520px) {
     :host([presenting]) {
@@ -116,7 +104,7 @@ export const presenterStyle = css`
   .curtain {
     position: fixed;
     inset: 0;
-    z-index: 11;
+    z-index: 12;
     background: #000000;
   }
 `;

@@ -50,7 +50,7 @@ export abstract class StageElement extends TimedElement {
   @query('vidno-transport') private transport!: TransportElement;
   readonly presenter = new Presenter(this);
   private readonly keyboard = new Keyboard(this, (event) => this.actions(event), true);
-  protected readonly announcer = new Announcer(this);
+  readonly announcer = new Announcer(this);
 
   /** The current actions of keys. */
   protected abstract actions(event: KeyboardEvent): Actions;

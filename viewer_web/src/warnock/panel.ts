@@ -43,33 +43,38 @@ export class WarnockPanel extends LitElement {
     base,
     panelsStyle,
     css`
-      /* In a presentation nobody scrolls, so the lists are beside the window and not below it. */
-      :host(.one-list) {
-        display: var(--hall, flex);
-        grid:
-          'window polygons' auto
-          'window stack' auto
-          'depths depths' auto / minmax(0, 1fr) minmax(0, 1.1fr);
+      :host([hall]) {
+        display: grid;
+        grid: auto-flow dense / minmax(0, 1fr) minmax(0, 1fr);
       }
-      :host(.one-list) .values {
-        grid-template-columns: var(--hall-values, var(--values));
+      :host([hall]) :is(.window, .lists, .line, .window + .polygons) {
+        grid-column: 1 / -1;
       }
-      :host(.one-list) .apl {
-        height: var(--hall-list, 6.4rem);
+      :host([hall]) .values .wide {
+        grid-column: span 2;
       }
-      .window {
-        grid-area: window;
+      :host([hall]) .corners td {
+        height: 1.45rem;
+        padding: 0 0.35rem;
       }
-      .depths {
-        grid-area: depths;
+      :host([hall]) .corners small {
+        display: none;
       }
-      .polygons {
-        grid-area: polygons;
-        border-top-width: var(--hall-line, 1px);
+      :host([hall]) .stack {
+        height: auto;
+        min-height: 0;
+        overflow: hidden;
       }
-      .stack {
-        grid-area: stack;
-        min-height: var(--hall-list, 8rem);
+      :host([hall]) .line {
+        height: var(--row);
+        align-items: center;
+        white-space: nowrap;
+      }
+      :host([hall]) .line :is(table, td) {
+        width: auto;
+      }
+      :host([hall]) .chips {
+        display: none;
       }
     `,
   ];
@@ -86,14 +91,17 @@ export class WarnockPanel extends LitElement {
 
   override render(): TemplateResult {
     const { method } = this.view.header;
-    this.classList.toggle('one-list', !hasThreeLists(method));
     const corners = method === 'warnock-simplest' ? nothing : this.corners();
     const lists = this.areListsTold
-      ? hasThreeLists(method)
+      ? this.hasThree
         ? this.threeLists()
         : this.apl()
       : this.listsUntold();
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
+  }
+
+  private get hasThree(): boolean {
+    return hasThreeLists(this.view.header.method);
   }
 
   /** At the level of windows the trace does not say which polygons leave a list. */
@@ -140,7 +148,7 @@ export class WarnockPanel extends LitElement {
       flag === null ? page.none : flag ? page.yes : page.no;
     const k = value('k', now.k ?? page.none, isSet(now.k, old.k));
     if (header.method === 'warnock-simplest') return [];
-    if (hasThreeLists(header.method)) return [...listValues(this.view, now, old), k];
+    if (this.hasThree) return [...listValues(this.view, now, old), k];
     return [
       value('polygonCount', now.count ?? page.none, isSet(now.count, old.count)),
       value('hasSurround', yesNo(now.hasSurround), isSet(now.hasSurround, old.hasSurround)),
@@ -254,9 +262,12 @@ export class WarnockPanel extends LitElement {
     const { stack } = this.now;
     const fresh = stack.length > this.old.stack.length;
     const shown = [...stack].reverse();
-    return html`<section class="stack" data-part="stack">
+    const row = (each: StackedWindow, i: number): TemplateResult =>
+      this.stacked(each, i === 0 && fresh);
+    // In a hall the stack is beside the corners, or in a line below them if a list is there.
+    return html`<section class="stack ${this.hasThree ? '' : 'line'}" data-part="stack">
       <h3>${this.view.texts.stack}</h3>
-      ${rowsOf(shown, (each, i) => this.stacked(each, i === 0 && fresh), this.view, 'windows')}
+      ${rowsOf(shown, row, this.view, 'windows', this.hasThree ? 2 : 1)}
     </section>`;
   }
 

@@ -8,6 +8,10 @@ import './panel.js';
 defineShows(methods.filter(hasWindows), {
   ...ofPolygons,
   state: (view, parts) =>
-    html`<vidno-warnock .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-warnock>`,
+    html`<vidno-warnock
+      .view=${view}
+      ?hall=${view.hall}
+      parts=${parts?.join(' ') ?? nothing}
+    ></vidno-warnock>`,
   legend: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
 });

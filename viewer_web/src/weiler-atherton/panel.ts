@@ -50,6 +50,24 @@ const regionsPanelStyle = css`
   .rows td.number {
     text-align: right;
   }
+  :host([hall]) {
+    display: grid;
+    grid: auto-flow dense / minmax(0, 1fr) minmax(0, 1fr);
+  }
+  :host([hall]) :is(.sizes, .lists) {
+    grid-column: 1 / -1;
+  }
+  :host([hall]) .values.found {
+    grid-template-columns: minmax(0, 2fr) minmax(0, 1fr) minmax(0, 1fr);
+    gap: 0 0.75rem;
+  }
+  :host([hall]) .lists {
+    gap: 0 0.75rem;
+  }
+  /* The number of lists is above. */
+  :host([hall]) .stack {
+    display: none;
+  }
 `;
 
 /**
@@ -97,7 +115,7 @@ export class RegionsPanel extends LitElement {
     const { say, now, old, hand, oldHand } = this;
     const { texts: page } = this.view;
     const clip = hand?.pieces[0]?.[0];
-    return html`<section data-part="list">
+    return html`<section class="sizes" data-part="list">
       <dl class="values found">
         ${value(
           `C, ${say.clip}`,
@@ -173,7 +191,7 @@ export class RegionsPanel extends LitElement {
     [id, region, ground]: Piece,
     known: string,
     changed: boolean,
-    isNarrow = false,
+    isNarrow = this.view.hall === true,
   ): TemplateResult {
     const { say } = this;
     const thing = polygonThing(id);

@@ -41,7 +41,11 @@ function regionIcon(entry: RegionLegendEntry): SVGTemplateResult {
 defineShows(['weiler-atherton'], {
   ...ofPolygons,
   state: (view, parts) =>
-    html`<vidno-regions .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-regions>`,
+    html`<vidno-regions
+      .view=${view}
+      ?hall=${view.hall}
+      parts=${parts?.join(' ') ?? nothing}
+    ></vidno-regions>`,
   legend: [...regionEntries, 'touched', 'chosen'],
   icon: (entry) => (isRegionEntry(entry) ? regionIcon(entry) : null),
   picture: (of) => {

@@ -11,8 +11,9 @@ import { keepsDepths } from '../replay/screen.js';
 import type { N } from '../trace/values.js';
 import { emptyZBuffer } from './state.js';
 
-const rowsShown = 7;
 const columnsShown = 9;
+const rowsShown = 7;
+const rowsInHall = 3;
 
 /** A range of cells around a focus, always of the same length, out of `size` cells. */
 function around(focus: number, size: number, shown: number): readonly number[] {
@@ -72,16 +73,29 @@ export class DepthsElement extends LitElement {
         color: var(--soft);
         min-height: 12rem;
       }
+      :host([hall]) :is(td, th) {
+        height: 1.05rem;
+        font-size: 0.75rem;
+      }
+      :host([hall]) {
+        height: calc(${rowsInHall + 1} * 1.05rem + 5px);
+        overflow: hidden;
+      }
+      :host([hall]) p {
+        min-height: 0;
+        font-size: 0.75rem;
+      }
     `,
   ];
 
   @property({ attribute: false }) view!: View;
 
   override render(): TemplateResult {
-    const { screen, header, after } = this.view;
+    const { screen, header, after, hall } = this.view;
     const { z } = screen;
     if (z === null) return html`<p>${this.missing}</p>`;
     const { area } = header.scene;
+    const { short } = numbersOf(this.view);
     const { row, last } = after.zbuffer ?? emptyZBuffer;
     const shown = (row ?? last.row ?? area.y) - area.y;
     const columns = around(this.column - area.x, area.width, columnsShown);
@@ -89,14 +103,14 @@ export class DepthsElement extends LitElement {
       <thead>
         <tr>
           <th></th>
-          ${columns.map((i) => html`<th scope="col">${i + area.x}</th>`)}
+          ${columns.map((i) => html`<th scope="col">${short(i + area.x)}</th>`)}
         </tr>
       </thead>
       <tbody>
-        ${around(shown, area.height, rowsShown).map(
+        ${around(shown, area.height, hall === true ? rowsInHall : rowsShown).map(
           (j) =>
             html`<tr class=${classMap({ row: j + area.y === row })}>
-              <th scope="row">${j + area.y}</th>
+              <th scope="row">${short(j + area.y)}</th>
               ${columns.map((i) => this.cell(z.at(i, j), this.isTouched(i + area.x, j + area.y)))}
             </tr>`,
         )}

@@ -1,10 +1,11 @@
-import { LitElement, css, html } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { edgeThing } from '../algorithm/pointed.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import { rowsShown } from '../elements/lists.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { isSet, numberCell, polygonName, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
@@ -20,11 +21,23 @@ export class ZBufferPanel extends LitElement {
     base,
     panelsStyle,
     css`
-      .values .wide {
-        grid-column: var(--hall-wide, 1 / -1);
-      }
       .values .wide dt {
         white-space: normal;
+      }
+      :host([hall]) .values {
+        grid-template-columns: repeat(5, minmax(0, 1fr));
+      }
+      :host([hall]) .ael th:first-child {
+        width: 3.2rem;
+      }
+      :host([hall]) .values .wide {
+        display: flex;
+        gap: 0.6rem;
+        align-items: center;
+        height: 1.25rem;
+      }
+      :host([hall]) .ael {
+        --heads: 1;
       }
     `,
   ];
@@ -49,7 +62,7 @@ export class ZBufferPanel extends LitElement {
       </section>
       <section data-part="z-buffer">
         <h3>${texts.depths}</h3>
-        <vidno-depths .view=${this.view}></vidno-depths>
+        <vidno-depths .view=${this.view} ?hall=${this.view.hall}></vidno-depths>
       </section>
     `;
   }
@@ -63,7 +76,7 @@ export class ZBufferPanel extends LitElement {
     return html`<section data-part="scanline">
       <dl class="values">
         ${value('P', polygon, now.polygon !== old.polygon)}
-        ${value(texts.row, now.row ?? texts.none, isSet(now.row, old.row))}
+        ${value(texts.row, number(now.row), isSet(now.row, old.row))}
         ${value('yₜ', number(now.y), isSet(now.y, old.y))}
         ${value('ySnext', number(now.nextS), isSet(now.nextS, old.nextS))}
         ${value('yAELnext', number(now.nextAel), isSet(now.nextAel, old.nextAel))}
@@ -74,21 +87,24 @@ export class ZBufferPanel extends LitElement {
 
   private ael(): TemplateResult {
     const { texts } = this.view;
+    const { ael } = this.now;
+    const shown = rowsShown(ael.length, this.view);
     return html`<table class="rows">
-      <thead>
-        <tr>
-          <th scope="col">${texts.edge}</th>
-          <th scope="col">x</th>
-          <th scope="col">z</th>
-          <th scope="col">${texts.until}</th>
-          <th scope="col">Δx</th>
-          <th scope="col">Δz</th>
-        </tr>
-      </thead>
-      <tbody>
-        ${this.now.ael.map((entry) => this.entry(entry))}
-      </tbody>
-    </table>`;
+        <thead>
+          <tr>
+            <th scope="col">${texts.edge}</th>
+            <th scope="col">x</th>
+            <th scope="col">z</th>
+            <th scope="col">${texts.until}</th>
+            <th scope="col">Δx</th>
+            <th scope="col">Δz</th>
+          </tr>
+        </thead>
+        <tbody>
+          ${ael.slice(0, shown).map((entry) => this.entry(entry))}
+        </tbody>
+      </table>
+      ${shown < ael.length ? html`<p class="empty">${texts.more(ael.length - shown)}</p>` : nothing}`;
   }
 
   private entry({ edge, x, z, until, dx, dz }: ActiveEdge): TemplateResult {

@@ -7,6 +7,10 @@ import './panel.js';
 defineShows(['zbuffer'], {
   ...ofPolygons,
   state: (view, parts) =>
-    html`<vidno-zbuffer .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-zbuffer>`,
+    html`<vidno-zbuffer
+      .view=${view}
+      ?hall=${view.hall}
+      parts=${parts?.join(' ') ?? nothing}
+    ></vidno-zbuffer>`,
   legend: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 });
