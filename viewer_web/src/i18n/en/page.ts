@@ -35,7 +35,7 @@ export const page = {
   goToLoss: (step: string): string => `Go to step ${step}`,
   broken: (name: string): string => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name: string, why: string): string => `${name} cannot be run: ${why}.`,
-  /** The same before a list of errors. */
+  /** Stands before a list of errors. */
   refusedFor: (name: string): string => `${name} cannot be run:`,
   isChart: (name: string): string =>
     `${name} is a chart: the chart page shows it, and vidno figure draws it.`,
@@ -83,7 +83,7 @@ export const page = {
   ofSteps: (length: string): string => `of ${length}`,
   speed: 'Speed',
   perSecond: (n: number): string => `${n} steps per second`,
-  /** The same, abbreviated. */
+  /** The speed, abbreviated. */
   rate: (n: number): string => `${n}/s`,
   keys: 'Keys',
   close: 'Close',

@@ -1,7 +1,7 @@
 export const scene = {
   scene: 'Scene',
   edit: 'Edit',
-  /** The same where some vertices lie outside the picture. */
+  /** Replaces `how` where some vertices lie outside the picture. */
   howOutside:
     'Drag a vertex, or an edge to move the whole polygon. Some vertices lie outside the picture: zoom out to see them.',
   how: 'Drag a vertex to move it, or an edge to move the whole polygon. Keys move, raise, add and remove vertices: see “Keys”.',
@@ -56,7 +56,7 @@ export const scene = {
   removeCorner: (n: number): string => `Remove vertex ${n}`,
   refused: (polygon: string | null, reason: string): string =>
     polygon === null ? reason : `${polygon}: ${reason}`,
-  /** The same for a surface's formula. */
+  /** The reason for refusing a surface's formula. */
   formula: (reason: string): string => `The formula: ${reason}`,
   stands: 'Showing the previous run.',
   /** A place in the text of a file. */
