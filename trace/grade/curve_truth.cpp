@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "grade/magnitude.h"
+#include "scene/rational_curves.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno {
@@ -57,14 +58,10 @@ double middle_of(const Stretch& part) {
     return part.first < Rational(rounded) && Rational(rounded) < part.last ? rounded : middle;
 }
 
-Rational height_on(const Sample& from, const Sample& to, const Rational& x) {
-    return Rational(from.y) + (x - Rational(from.x)) * (Rational(to.y) - Rational(from.y)) / Rational(to.x - from.x);
-}
-
 /// The edge from the end of one curve to that of the next, over the columns strictly between.
 void include_edge(HorizonPair& horizons, const Sample& from, const Sample& to, int first_column) {
-    for (int x = std::min(from.x, to.x) + 1; x < std::max(from.x, to.x); ++x)
-        horizons.include(std::size_t(x - first_column), height_on(from, to, x));
+    const auto [first, end] = columns_of_edge(from, to);
+    for (int x = first; x < end; ++x) horizons.include(std::size_t(x - first_column), height_on(from, to, x));
 }
 
 }  // namespace
@@ -140,12 +137,6 @@ struct CurveTruth::Exactly {
     const Rational& over(int curve, int x) const { return *cell(curve, x); }
     /// Whether the curve goes from a column to the next. A gap is at least a column wide, as samples are.
     bool goes_on(int curve, int x) const { return has_point(curve, x) && has_point(curve, x + 1); }
-
-    static std::optional<std::pair<Sample, Sample>> ends_of(const Curve& curve) {
-        const auto pieces = pieces_of(curve);
-        if (pieces.empty()) return std::nullopt;
-        return std::pair(pieces.front().front(), pieces.back().back());
-    }
 
     static std::vector<Cell> heights_of(const Curve& curve) {
         const int first = curve.samples.front().x;
@@ -281,7 +272,7 @@ bool CurveTruth::is_on_edge(int curve, int x, double y) const {
 }
 
 std::optional<std::pair<Sample, Sample>> CurveTruth::ends(int curve) const {
-    return Exactly::ends_of(exactly_->scene.curves[std::size_t(curve)]);
+    return ends_of(exactly_->scene.curves[std::size_t(curve)]);
 }
 
 bool CurveTruth::same_height(double claimed, double right) const {

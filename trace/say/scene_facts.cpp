@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/rational_curves.h"
 #include "scene/rational_polygon.h"
 #include "vidno/kernels/machine.h"
 
@@ -249,10 +250,6 @@ std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pi
 
 namespace {
 
-Rational height_on(const Sample& from, const Sample& to, int x) {
-    return Rational(from.y) + Rational(x - from.x) * (Rational(to.y) - Rational(from.y)) / Rational(to.x - from.x);
-}
-
 std::optional<Rational> height_of(const Curve& curve, int x) {
     for (const Piece& piece : pieces_of(curve)) {
         for (std::size_t i = 1; i < piece.size(); ++i) {
@@ -264,15 +261,8 @@ std::optional<Rational> height_of(const Curve& curve, int x) {
 
 /// The height of a side edge over a column strictly between its ends.
 std::optional<Rational> height_of_edge(const Sample& from, const Sample& to, int x) {
-    const bool is_between = std::min(from.x, to.x) < x && x < std::max(from.x, to.x);
-    return is_between ? std::optional(height_on(from, to, x)) : std::nullopt;
-}
-
-/// The outer ends of a curve's pieces; none if it has no piece.
-std::optional<std::pair<Sample, Sample>> ends_of(const Curve& curve) {
-    const auto pieces = pieces_of(curve);
-    if (pieces.empty()) return std::nullopt;
-    return std::pair(pieces.front().front(), pieces.back().back());
+    const auto [first, end] = columns_of_edge(from, to);
+    return first <= x && x < end ? std::optional(height_on(from, to, x)) : std::nullopt;
 }
 
 /// The heights of the horizons over a column. Heights grow downward, so the upper one is the least.
