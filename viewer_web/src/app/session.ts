@@ -241,14 +241,19 @@ export class Session implements ReactiveController {
     this.stopReading();
     this.say({ kind: 'reading', name });
     const request = await meshRequest(files).catch(() => null);
-    const { made, messages } = (request && (await this.meshes?.ask(request))) ?? {};
-    if (made === undefined || (made === null && messages === '')) this.fail(name, null);
-    else if (made === null) this.say({ kind: 'unread', name, why: messages ?? '' });
-    else {
-      const losses = (messages ?? '').split('\n').filter((loss) => loss !== '');
-      const lacks = losses.length === 0 ? null : ({ kind: 'lacks', name, losses } as const);
-      this.openScene(made, name, usual, beginning, { arrive, lacks });
+    if (this.meshes === null || request === null) {
+      this.fail(name, null);
+      return;
     }
+    const { made, messages } = await this.meshes.ask(request);
+    if (made === null) {
+      if (messages === '') this.fail(name, null);
+      else this.say({ kind: 'unread', name, why: messages });
+      return;
+    }
+    const losses = messages.split('\n').filter((loss) => loss !== '');
+    const lacks = losses.length === 0 ? null : ({ kind: 'lacks', name, losses } as const);
+    this.openScene(made, name, usual, beginning, { arrive, lacks });
   }
 
   /** Opens an entry of the page's atlas by its name in the address. */
