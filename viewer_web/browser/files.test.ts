@@ -146,6 +146,7 @@ l 1 5
 
   it('that is refused leaves the page as it is, with the line and the reason', async () => {
     const { page, faults } = await open(browser, '#lang=ru');
+    await page.locator('.title h2').getByText(/./u).waitFor();
     const before = await page.locator('.title h2').textContent();
     await openFile(page, 'bad.obj', 'v 0 0 0\nv 1 0 zero\n');
     const notice = page.locator('vidno-notice .unread');
