@@ -37,9 +37,9 @@ constexpr std::size_t kept_of_output = 4096;
 constexpr int cannot_start = 127, handshake_number = 3;
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
-/// Removes all that is in a folder, however deep it is and whatever its permissions are. Leaves this process in some
+/// Removes all that is in a folder, however deep it is and whatever its permissions are. It leaves this process in some
 /// other folder.
-void empty_folder(const std::string& folder) {
+void remove_all_in(const std::string& folder) {
     if (chdir(folder.c_str()) != 0) return;
     for (int depth = 0; depth >= 0;) {
         chmod(".", S_IRWXU);
@@ -71,7 +71,9 @@ public:
         path_ = name;
     }
     ~TemporaryFolder() {
-        empty_folder(path_);
+        const Descriptor before(open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        remove_all_in(path_);
+        if (before.number() < 0 || fchdir(before.number()) != 0) return;
         rmdir(path_.c_str());
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -355,7 +357,7 @@ private:
         if (used.memory > limits_.memory || group_.ran_out_of_memory()) stopped_ = Ending::out_of_memory;
         if (used.processes > limits_.processes + (in_a_sandbox_ ? of_bubblewrap : 0))
             stopped_ = Ending::too_many_processes;
-        if (now > begun_ + 2 * limits_.time || used.time > limits_.time + std::chrono::seconds(1))
+        if (now > begun_ + 2 * limits_.time || used.time - time_before_ > limits_.time + std::chrono::seconds(1))
             stopped_ = Ending::out_of_time;
         constexpr int share = 10;
         constexpr std::chrono::milliseconds least(10), most(100);
@@ -369,6 +371,7 @@ private:
     bool in_a_sandbox_, is_ready_ = false;
     pid_t child_ = -1;
     Clock::time_point begun_ = Clock::now(), next_look_ = begun_;
+    const std::chrono::duration<double> time_before_ = used_by_descendants().time;  // of earlier runs
     std::optional<int> status_;
     rusage used_{};
     std::optional<Ending> stopped_;
@@ -460,17 +463,26 @@ const SignalWords* words_of_signal(int signal) {
     return found == signal_words.end() ? nullptr : found;
 }
 
-std::string as_text(const Ended& ended) {
-    return std::to_string(int(ended.ending)) + ' ' + std::to_string(ended.code) + ' ' +
-           std::to_string(ended.said.size()) + '\n' + ended.said + ended.written;
+/// In the keeper: a run whose files come and go as texts. The wanted file is the last.
+Keeper::Texts run_once(const std::string& program, const Keeper::Texts& request, const Limits& limits, int grader) {
+    std::vector<FileOfRun> files;
+    for (std::size_t i = 0; i < request.size(); i += 3) files.push_back({request[i], request[i + 1], request[i + 2]});
+    const FileOfRun wanted = std::move(files.back());
+    files.pop_back();
+    Ended ended = kept(program, files, wanted, limits, grader);
+    return {std::to_string(int(ended.ending)), std::to_string(ended.code), std::move(ended.said),
+            std::move(ended.written)};
 }
 
-Ended from_text(const std::string& text) {
-    int ending = 0, code = 0;
-    std::size_t size = 0;
-    std::istringstream(text) >> ending >> code >> size;
-    const std::size_t begin = text.find('\n') + 1;
-    return {Ending(ending), code, text.substr(begin, size), text.substr(begin + size)};
+std::filesystem::path checked(std::filesystem::path program) {
+    if (access(program.c_str(), X_OK) != 0) {
+        const bool is_there = errno == EACCES;
+        throw Refused(program.string() + ": " +
+                      (is_there ? "not executable: compile the source first, or set the permission by chmod +x"
+                                : system_reason()));
+    }
+    if (!std::filesystem::is_regular_file(program)) throw Refused(program.string() + ": not a regular file");
+    return program;
 }
 
 /// What this machine has to contain a run.
@@ -521,7 +533,7 @@ Sandbox find_sandbox() {
         if (access(limits.bubblewrap.c_str(), X_OK) != 0) continue;
         // Where user namespaces are forbidden, as in many containers, bwrap exists but cannot create a sandbox.
         try {
-            const Ended ended = run_contained("/bin/true", {}, {"VIDNO_TRACE", "trace.jsonl"}, limits);
+            const Ended ended = ContainedProgram("/bin/true", limits).run({}, {"VIDNO_TRACE", "trace.jsonl"});
             if (ended.ending == Ending::done) return {limits.bubblewrap, {}};
             return {{}, ended.said.substr(0, ended.said.find('\n'))};
         } catch (const Refused& refused) {
@@ -573,20 +585,21 @@ std::string cause_of(const Ended& ended, const Words& say) {
     return words ? say(words->cause) : "";
 }
 
-Ended run_contained(const std::filesystem::path& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
-                    const Limits& limits) {
-    const std::string file = std::filesystem::absolute(program).string();
-    if (access(file.c_str(), X_OK) != 0) {
-        const bool is_there = errno == EACCES;
-        throw Refused(program.string() + ": " +
-                      (is_there ? "not executable: compile the source first, or set the permission by chmod +x"
-                                : system_reason()));
-    }
-    if (!std::filesystem::is_regular_file(file)) throw Refused(program.string() + ": not a regular file");
+ContainedProgram::ContainedProgram(std::filesystem::path program, const Limits& limits)
+    : program_(checked(std::move(program))),
+      keeper_([file = std::filesystem::absolute(program_).string(), limits](const Keeper::Texts& request, int grader) {
+          return run_once(file, request, limits, grader);
+      }) {}
+
+Ended ContainedProgram::run(const std::vector<FileOfRun>& given, const FileOfRun& wanted) {
+    Keeper::Texts request;
+    for (const FileOfRun& each : given) request.insert(request.end(), {each.variable, each.name, each.text});
+    request.insert(request.end(), {wanted.variable, wanted.name, wanted.text});
     try {
-        return from_text(in_keeper([&](int grader) { return as_text(kept(file, given, wanted, limits, grader)); }));
+        Keeper::Texts answer = keeper_.answer_to(request);
+        return {Ending(std::stoi(answer[0])), std::stoi(answer[1]), std::move(answer[2]), std::move(answer[3])};
     } catch (const Refused& refused) {
-        throw Refused(program.string() + ": " + refused.what());
+        throw Refused(program_.string() + ": " + refused.what());
     }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "grade/keeper.h"
 #include "grade/words.h"
 
 namespace vidno {
@@ -64,9 +65,19 @@ struct FileOfRun {
     std::string variable, name, text{};
 };
 
-/// Runs a program without arguments. It is given some files, and is to write another one. In a sandbox it sees only the
-/// variables of these files and PATH, HOME and TMPDIR. Throws Refused if the program cannot be started.
-Ended run_contained(const std::filesystem::path& program, const std::vector<FileOfRun>& given, const FileOfRun& wanted,
-                    const Limits& limits);
+/// A program that runs without arguments, any number of times, each time under the limits.
+class ContainedProgram {
+public:
+    /// Throws Refused if it is not an executable regular file.
+    ContainedProgram(std::filesystem::path program, const Limits& limits);
+
+    /// The program is given some files, and is to write another one. In a sandbox it sees only the variables of these
+    /// files and PATH, HOME and TMPDIR. Throws Refused if it cannot be started.
+    Ended run(const std::vector<FileOfRun>& given, const FileOfRun& wanted);
+
+private:
+    std::filesystem::path program_;
+    Keeper keeper_;
+};
 
 }  // namespace vidno

@@ -1,6 +1,7 @@
 #include "grade/grade.h"
 
 #include <algorithm>
+#include <span>
 
 #include "choice/method.h"
 #include "scene/exact_scene.h"
@@ -45,6 +46,8 @@ std::string nothing_to_judge(const StudentRun& run, const DrawnScene& scene, con
 }
 
 void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
+    if (grade.judged_in == precision) return;
+    grade.judged_in = precision;
     grade.not_judged = nothing_to_judge(grade.run, grade.scene, say);
     if (grade.not_judged.empty())
         grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
@@ -53,7 +56,7 @@ void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
 /// Judges the runs of one program, and returns its precision: single if it says so, or if it tells only floats and some
 /// of them were rounded to float. Numbers alone do not show it: those of a program in double are floats, too, if the
 /// right ones are.
-Precision judge_runs(std::vector<SceneGrade>& runs, const Words& say) {
+Precision judge_runs(std::span<SceneGrade> runs, const Words& say) {
     const auto says_single = [](const SceneGrade& each) {
         return each.run.header && kernel_of(*each.run.header) == "float";
     };
@@ -135,9 +138,10 @@ std::vector<ReportedFault> ProgramGrade::faults() const {
     return faults;
 }
 
-ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToGrade& scenes, const Grading& grading,
+ProgramGrade grade_program(const std::filesystem::path& file, const ScenesToGrade& scenes, const Grading& grading,
                            const std::function<void(std::size_t)>& progress) {
     constexpr int enough_endless = 2;
+    ContainedProgram program(file, grading.limits);
     std::vector<DrawnScene> polygons;
     for (const AdmittedScene& scene : scenes.polygons) polygons.emplace_back(*scene);
     const std::vector<DrawnScene> surfaces(scenes.surfaces.begin(), scenes.surfaces.end());
@@ -148,15 +152,13 @@ ProgramGrade grade_program(const std::filesystem::path& program, const ScenesToG
         progress(runs.size());
         const DrawnScene& scene = (*drawn)[runs.size()];
         const bool is_first = runs.empty() && !polygons.empty() && !surfaces.empty();
-        StudentRun run = is_first ? run_student(program, {scene, surfaces.front()}, grading.limits)
-                                  : run_student(program, {scene}, grading.limits);
+        StudentRun run = is_first ? run_student(program, {scene, surfaces.front()}) : run_student(program, {scene});
         if (is_first && run.header && std::holds_alternative<FloatingHorizonHeader>(*run.header)) drawn = &surfaces;
         runs.push_back({(*drawn)[runs.size()], std::move(run)});
         if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
         if (!grading.first_only) continue;
-        std::vector<SceneGrade> alone{runs.back()};
-        judge_runs(alone, grading.say);
-        if (!alone.front().right()) break;
+        judge_runs({&runs.back(), 1}, grading.say);
+        if (!runs.back().right()) break;
     }
     return judged(std::move(runs), drawn->size(), grading);
 }
@@ -169,14 +171,15 @@ ProgramGrade grade_trace(std::string text, const Grading& grading) {
     return judged(std::move(runs), 1, grading);
 }
 
-SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, Precision precision,
+SceneGrade smallest_failing(const std::filesystem::path& file, const SceneGrade& failing, Precision precision,
                             const Grading& grading, const Patience& patience, const std::function<void()>& progress) {
+    ContainedProgram program(file, grading.limits);
     const auto deadline = std::chrono::steady_clock::now() + patience.time;
     SceneGrade smallest = failing;
     auto fails = [&, runs = 0](const DrawnScene& smaller) mutable {
         if (++runs > patience.runs || std::chrono::steady_clock::now() > deadline) return false;
         progress();
-        SceneGrade grade{smaller, run_student(program, {smaller}, grading.limits)};
+        SceneGrade grade{smaller, run_student(program, {smaller})};
         judge_run(grade, precision, grading.say);
         const bool alike = fails_alike(failing, grade);
         if (alike) smallest = std::move(grade);

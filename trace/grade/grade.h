@@ -17,6 +17,7 @@ struct SceneGrade {
     StudentRun run;
     std::optional<Judgement> judgement{};  // none if there was nothing to judge
     std::string not_judged{};              // the reason in that case
+    std::optional<Precision> judged_in{};  // none before it is judged
 
     bool right() const { return run.ended.ending == Ending::done && run.complete && judgement && !judgement->wrong; }
 };

@@ -1,10 +1,9 @@
 #include "grade/keeper.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -23,26 +23,74 @@ namespace vidno {
 
 namespace {
 
-/// The first character of what a keeper hands over.
-constexpr char is_result = '+', is_refusal = '-';
+/// The last text of what a keeper hands over.
+constexpr const char *is_result = "result", *is_refusal = "refusal";
 
-[[noreturn]] void keep_watch(const std::function<std::string(int)>& work, int grader, int result) {
+/// Reads so many bytes; false if the other end is closed before.
+bool read_all(int line, char* to, std::size_t size) {
+    while (size > 0) {
+        const ssize_t part = read(line, to, size);
+        if (part < 0 && errno == EINTR) continue;
+        if (part <= 0) return false;
+        to += part;
+        size -= std::size_t(part);
+    }
+    return true;
+}
+
+bool send_all(int line, const char* from, std::size_t size) {
+    while (size > 0) {
+        const ssize_t part = send(line, from, size, MSG_NOSIGNAL);
+        if (part < 0 && errno == EINTR) continue;
+        if (part <= 0) return false;
+        from += part;
+        size -= std::size_t(part);
+    }
+    return true;
+}
+
+/// A message is the number of its texts, then the size and the bytes of each.
+bool send_message(int line, const Keeper::Texts& texts) {
+    const auto send_number = [&](std::uint64_t number) {
+        return send_all(line, reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    return send_number(texts.size()) && std::ranges::all_of(texts, [&](const std::string& text) {
+               return send_number(text.size()) && send_all(line, text.data(), text.size());
+           });
+}
+
+/// The next message; none if the other end is closed before.
+std::optional<Keeper::Texts> next_message(int line) {
+    const auto has_read = [&](std::uint64_t& number) {
+        return read_all(line, reinterpret_cast<char*>(&number), sizeof number);
+    };
+    std::uint64_t count = 0, size = 0;
+    if (!has_read(count)) return std::nullopt;
+    Keeper::Texts texts;
+    while (texts.size() < count) {
+        if (!has_read(size)) return std::nullopt;
+        std::string& text = texts.emplace_back(size, '\0');
+        if (!read_all(line, text.data(), size)) return std::nullopt;
+    }
+    return texts;
+}
+
+[[noreturn]] void serve(const Keeper::Work& work, int grader) {
     // A signal to the grader's terminal or service must not keep this process from its duty.
     setsid();
     sigset_t all;
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, nullptr);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
-    std::string text;
-    try {
-        text = is_result + work(grader);
-    } catch (const std::exception& error) {
-        text = is_refusal + std::string(error.what());
-    }
-    for (std::size_t written = 0; written < text.size();) {
-        const ssize_t size = write(result, text.data() + written, text.size() - written);
-        if (size <= 0) break;
-        written += std::size_t(size);
+    while (const auto request = next_message(grader)) {
+        Keeper::Texts answer;
+        try {
+            answer = work(*request, grader);
+            answer.emplace_back(is_result);
+        } catch (const std::exception& error) {
+            answer = {error.what(), is_refusal};
+        }
+        if (!send_message(grader, answer)) break;
     }
     _exit(0);
 }
@@ -117,27 +165,32 @@ void Descriptor::close() {
     number_ = -1;
 }
 
-std::string in_keeper(const std::function<std::string(int grader)>& work) {
+Keeper::Keeper(const Work& work) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Refused("a pipe: " + system_reason());
-    Descriptor grader(ends[0]), life(ends[1]);
-    const Descriptor result(memfd_create("result", MFD_CLOEXEC));
-    const pid_t keeper = result.number() < 0 ? -1 : fork();
-    if (keeper < 0) throw Refused("a process: " + system_reason());
-    if (keeper == 0) {
-        life.close();
-        keep_watch(work, grader.number(), result.number());
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw Refused("a socket: " + system_reason());
+    line_ = Descriptor(ends[0]);
+    const Descriptor grader(ends[1]);
+    process_ = fork();
+    if (process_ < 0) throw Refused("a process: " + system_reason());
+    if (process_ == 0) {
+        line_.close();
+        serve(work, grader.number());
     }
-    int status = 0;
-    while (waitpid(keeper, &status, 0) < 0 && errno == EINTR) {
+}
+
+Keeper::~Keeper() {
+    line_.close();
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
-    struct stat about {};
-    fstat(result.number(), &about);
-    std::string text(std::size_t(about.st_size), '\0');
-    text.resize(std::size_t(std::max<ssize_t>(pread(result.number(), text.data(), text.size(), 0), 0)));
-    if (text.empty()) throw Refused("the process that keeps the program was ended");
-    if (text.front() == is_refusal) throw Refused(text.substr(1));
-    return text.substr(1);
+}
+
+Keeper::Texts Keeper::answer_to(const Texts& request) {
+    auto answer = send_message(line_.number(), request) ? next_message(line_.number()) : std::nullopt;
+    if (!answer) throw Refused("the process that keeps the program was ended");
+    const bool is_refused = answer->back() == is_refusal;
+    answer->pop_back();
+    if (is_refused) throw Refused(answer->front());
+    return std::move(*answer);
 }
 
 Used used_by_descendants() {

@@ -1,4 +1,4 @@
-/// Keeper: a process between the grader and a program. However the grader ends, the keeper ends the program and all
+/// Keeper: a process between the grader and its programs. However the grader ends, the keeper ends the program and all
 /// that it started.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace vidno {
 
@@ -30,11 +31,29 @@ private:
 /// Why the last system call failed.
 std::string system_reason();
 
-/// Does the work in a process of its own, to which all that it starts returns when its parent ends. `grader` becomes
-/// readable when the grader ends; the work then has to stop. Returns the result of the work, or throws its Refused.
-std::string in_keeper(const std::function<std::string(int grader)>& work);
+/// A process that does pieces of work for this one, one after another. All that the work starts returns to the keeper
+/// when its parent ends. The keeper keeps the memory that this process had when it was made, so that a piece of work
+/// costs no copy of what has come since.
+class Keeper {
+public:
+    /// `grader` becomes readable when this process ends; the work then has to stop.
+    using Texts = std::vector<std::string>;
+    using Work = std::function<Texts(const Texts& request, int grader)>;
+    explicit Keeper(const Work& work);
+    ~Keeper();
+    Keeper(const Keeper&) = delete;
+    Keeper& operator=(const Keeper&) = delete;
 
-/// What the descendants of this process use together. Memory that several of them share counts for each of them.
+    /// What the work comes to. Throws its Refused, and Refused if the keeper was ended.
+    Texts answer_to(const Texts& request);
+
+private:
+    Descriptor line_;
+    int process_ = -1;
+};
+
+/// What the descendants of this process have used together, those that have ended included. Memory that several of them
+/// share counts for each of them.
 struct Used {
     std::uint64_t memory = 0;  // bytes in memory or swapped out, without those of files
     int processes = 0;         // their threads

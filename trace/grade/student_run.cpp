@@ -103,15 +103,14 @@ StudentRun read_student_trace(std::string text) {
     return run;
 }
 
-StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
-                       const Limits& limits) {
+StudentRun run_student(ContainedProgram& program, const std::vector<DrawnScene>& scenes) {
     std::vector<FileOfRun> given;
     for (const DrawnScene& scene : scenes) {
         const bool is_surface = std::holds_alternative<Surface>(scene);
         given.push_back({is_surface ? "VIDNO_SURFACE" : "VIDNO_SCENE", is_surface ? "surface.txt" : "scene.txt",
                          std::visit([](const auto& each) { return scene_text(each); }, scene)});
     }
-    Ended ended = run_contained(program, given, {"VIDNO_TRACE", "trace.jsonl"}, limits);
+    Ended ended = program.run(given, {"VIDNO_TRACE", "trace.jsonl"});
     StudentRun run;
     if (!ended.written.empty()) run = read_student_trace(std::exchange(ended.written, {}));
     run.ended = std::move(ended);

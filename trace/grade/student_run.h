@@ -33,8 +33,7 @@ StudentRun read_student_trace(std::string text);
 
 /// Offers the scenes, at most one of each kind, to the program. Runs it, contained, and reads its trace. Throws Refused
 /// if the program cannot be started.
-StudentRun run_student(const std::filesystem::path& program, const std::vector<DrawnScene>& scenes,
-                       const Limits& limits);
+StudentRun run_student(ContainedProgram& program, const std::vector<DrawnScene>& scenes);
 
 /// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either
 /// direction.
