@@ -14,7 +14,7 @@ namespace vidno {
 /// The contents of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
 
-/// The same for a text: without a byte order mark, and refused in UTF-16.
+/// Reads a text: without its byte order mark, and refused in UTF-16.
 std::string read_text(const std::string& name);
 
 /// For a file whose name ends in ".gz": whether to compress it, quickly, or to write bytes that are already compressed.

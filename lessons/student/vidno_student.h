@@ -503,7 +503,7 @@ protected:
     int polygon_count() const { return int(scene_.polygons.size()); }
 
     using Trace::begin;
-    /// The same, about a polygon; false if there is none.
+    /// Begins a claim about a polygon; false if there is none.
     bool begin(const char* call, int polygon) {
         begin(call);
         return exists(polygon);
@@ -1218,7 +1218,7 @@ public:
     void height(Whole x, double y) {
         if (looks("height", x)) tell(Detail::signs, "height", "V1", "x", x.value, "y", y);
     }
-    /// The same, and the heights of the horizons.
+    /// The height of the curve, and those of the horizons.
     void height(Whole x, double y, double upper, double lower) {
         if (looks("height", x))
             tell(Detail::signs, "height", "V1", "x", x.value, "y", y, "upper", upper, "lower", lower);

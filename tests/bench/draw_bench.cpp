@@ -26,7 +26,7 @@ void draw(benchmark::State& state) {
 BENCHMARK(draw<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// The same under `filtered`, which is always right.
+/// Draws under `filtered`, which is always right.
 template <Method method>
 void draw_filtered(benchmark::State& state) {
     const AdmittedScene scene = random_triangles(int(state.range(0)), 512, 4);
@@ -37,7 +37,7 @@ void draw_filtered(benchmark::State& state) {
 BENCHMARK(draw_filtered<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_filtered<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// The same under `grid`, which is right for the snapped scene.
+/// Draws under `grid`, which is right for the snapped scene.
 template <Method method>
 void draw_grid(benchmark::State& state) {
     const AdmittedScene scene = random_triangles(int(state.range(0)), 512, 4);

@@ -202,7 +202,7 @@ TEST_CASE("A run under filtered counts which stage decided") {
     const auto easy = checked(plain, Method::zbuffer, "filtered").decided_by;
     CHECK(easy[std::size_t(FilterStage::scene)] == 64);
     CHECK(easy[std::size_t(FilterStage::exact)] == 0);
-    // The same square again: 64 depths are equal, which no bound decides.
+    // One square twice: 64 depths are equal, which no bound decides.
     const AdmittedScene tied = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).quad(4, 4, 12, 12, .5).build();
     const auto hard = checked(tied, Method::zbuffer, "filtered").decided_by;
     CHECK(hard[std::size_t(FilterStage::scene)] == 64);

@@ -58,7 +58,7 @@ struct Witness {
         return reported(edition, of_curves() ? Method{} : method_of_polygons());
     }
 
-    /// The same by another method of polygons.
+    /// What another method of polygons reports.
     std::string reported(Edition edition, Method by) const {
         std::string text;
         const auto write = [&](std::string_view part) { text += part; };
@@ -80,7 +80,7 @@ bool tells_apart(const Witness& witness, Edition one, Edition other) {
     return witness.runs(one) && witness.runs(other) && witness.reported(one) != witness.reported(other);
 }
 
-/// The same by a method that is not always that of the witness.
+/// Whether a method, not always that of the witness, tells the editions apart.
 bool tells_apart(const Witness& witness, Method by, Edition one, Edition other) {
     const auto runs = [&](Edition edition) { return witness.kernel.choice->runs(by, edition); };
     return !witness.of_curves() && runs(one) && runs(other) && witness.reported(one, by) != witness.reported(other, by);

@@ -281,7 +281,7 @@ struct Graded {
     Graded(Method method, Edition edition) {
         for (const AdmittedScene& scene : scenes_to_grade()) add(run_of(scene, method, "double", edition));
     }
-    /// The same of the floating horizon.
+    /// Grades a run of the floating horizon.
     explicit Graded(Edition edition) {
         for (const Surface& surface : surfaces_to_grade()) add(run_of(surface, "double", edition));
     }

@@ -24,7 +24,7 @@ std::string verdict(std::vector<glm::dvec3> vertices) {
     return std::string(reason_of(admitted.admission));
 }
 
-/// The same outline started at each vertex, in both directions.
+/// An outline that starts at each of its vertices, in both directions.
 std::vector<std::vector<glm::dvec3>> turned(std::vector<glm::dvec3> vertices) {
     std::vector<std::vector<glm::dvec3>> all;
     for (int way = 0; way < 2; ++way) {

@@ -184,7 +184,7 @@ TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both
 TEST_CASE("Integer division: only two of three columns are examined") {
     // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
     check_witness(Deviation::integer_division, {{2, 0, ""}});
-    // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.
+    // The window on its side: of 1 x 3 pixels the last is lost, and the run ends.
     const AdmittedScene upright =
         SceneBuilder({0, 0, 1, 3}).polygon({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}).quad(0, 2, 1, 3, 0).build();
     for_each_picture(Deviation::integer_division, upright, [&](const Picture& painted, const auto&) {

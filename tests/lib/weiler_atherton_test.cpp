@@ -612,7 +612,7 @@ TEST_CASE("Filtered uses exact arithmetic only at coincidences") {
                     .polygon({{14.9, 1.7, .73}, {2.3, 4.3, .79}, {9.7, 15.1, .87}})
                     .polygon({{2.9, 2.1, .41}, {9.1, 14.3, .47}, {15.3, 7.7, .31}})
                     .build()) == 0);
-    // The same, and one whose edge passes, up to rounding, through the point where edges of the first two cross.
+    // Those three, and one whose edge passes, up to rounding, through the point where edges of the first two cross.
     const auto crossing = [](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r, const glm::dvec3& s) {
         const double height = (s.x - r.x) * (p.y - r.y) - (s.y - r.y) * (p.x - r.x);
         const double t = height / ((s.y - r.y) * (q.x - p.x) - (s.x - r.x) * (q.y - p.y));

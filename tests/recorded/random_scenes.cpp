@@ -364,7 +364,7 @@ private:
         }
     }
 
-    /// The same curve, perhaps mirrored in a horizontal line and with fewer samples.
+    /// The curve again, perhaps mirrored in a horizontal line and with fewer samples.
     Samples variant(Samples samples) {
         if (random_.one_in(2)) {
             for (auto& [x, y] : samples) y = 4000000 - y;

@@ -40,7 +40,7 @@ Sign formula(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// The same without rounding: the points are whole multiples of 2^-53 below 32, so the products are below 2^118.
+/// The formula without rounding: the points are whole multiples of 2^-53 below 32, so the products are below 2^118.
 Sign exact_formula(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     __extension__ using Whole = __int128;
     const auto whole = [](double v) { return Whole(std::int64_t(std::ldexp(v, 53))); };

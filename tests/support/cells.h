@@ -204,7 +204,7 @@ public:
         for (const auto& each : segments_) all.insert(all.end(), each.segments.begin(), each.segments.end());
         return all;
     }
-    /// The same, each from its last vertex on.
+    /// Its segments, each from its last vertex on.
     std::vector<OutlineSegment> segments_from_last_vertex() const {
         std::vector<OutlineSegment> all;
         for (const auto& [outline, last] : segments_) {

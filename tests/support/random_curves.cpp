@@ -41,7 +41,7 @@ double RandomCurves::height(int kind) {
     }
 }
 
-/// The same curve, perhaps mirrored in a horizontal line and with fewer samples.
+/// The curve again, perhaps mirrored in a horizontal line and with fewer samples.
 Curve RandomCurves::variant(Curve made) {
     auto& samples = made.samples;
     if (whole(0, 1) == 0) {

@@ -24,7 +24,7 @@ private:
     std::mt19937 random_;
 };
 
-/// The same without the points of some samples: curves with gaps at their ends and within, of one piece, several or
+/// Random curves without the points of some samples: curves with gaps at their ends and within, of one piece, several or
 /// none.
 AdmittedCurves with_gaps(CurveScene scene, RandomCurves& random);
 

@@ -36,7 +36,7 @@ struct EventGroup {
 /// All events, each once.
 std::vector<EventGroup> event_table();
 
-/// The same without their groups.
+/// All events, without their groups.
 std::vector<EventDescription> all_events();
 
 /// The procedures that `call` names: those with a result event. The others are the bottom frames.

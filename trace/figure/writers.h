@@ -34,7 +34,7 @@ std::string beyond_pdflatex(const std::vector<Drawing>& drawings);
 /// Its letters and `about` determine the font encodings.
 std::string tikz_of(const Drawing& drawing, const About& about);
 
-/// The same for beamer: a frame with one overlay per drawing; all drawings have the same size.
+/// For beamer: a frame with one overlay per drawing; all drawings have the same size.
 std::string beamer_of(const std::vector<Drawing>& drawings, const About& about);
 
 /// SVG documents as the pages of a PDF with live text and embedded fonts, without a date. Throws Refused if librsvg

@@ -4,7 +4,7 @@
 ///         and small changes of the best scenes so far: those nearest to the condition and, once it is met, the
 ///         smallest (scene_size.h). What is found is shrunk. The search ends when it has not found a smaller scene for
 ///         as long as it took to find the first one.
-/// The same arguments give the same scene on every machine, unless the time ends the search.
+/// Equal arguments give equal scenes on every machine, unless the time ends the search.
 #pragma once
 
 #include <cstdint>

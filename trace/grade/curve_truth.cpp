@@ -189,7 +189,7 @@ struct CurveTruth::Exactly {
         return moved(common(short_of(*above), short_of(*below)), x);
     }
 
-    /// The same, where it is surely visible: above, and below.
+    /// Where it is surely visible: above, and below.
     std::array<std::optional<Stretch>, 2> visible(int curve, int x) const {
         if (!goes_on(curve, x)) return {};
         if (!has_horizon(curve, x) && !has_horizon(curve, x + 1)) return {Stretch{x, x + 1}, std::nullopt};

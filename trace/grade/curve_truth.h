@@ -40,7 +40,7 @@ public:
     std::optional<double> height(int curve, double x) const;
     /// Whether the curve has that height at x, within the tolerance.
     bool is_on_curve(int curve, double x, double y) const;
-    /// The same for the side edges that lead to the ends of the curve.
+    /// Whether it is on a side edge that leads to an end of the curve.
     bool is_on_edge(int curve, int x, double y) const;
     /// Whether a claimed height is the right one.
     bool same_height(double claimed, double right) const;

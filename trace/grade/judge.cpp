@@ -113,7 +113,7 @@ void look_at_pixels(const SceneTruth& truth, const Picture& picture, Judgement& 
     }
 }
 
-/// The same of the curves, at steps of a quarter of a column.
+/// Looks at the drawn parts of curves, at steps of a quarter of a column.
 void look_at_curves(const CurveTruth& truth, const std::map<int, DrawnParts>& drawn, Judgement& found) {
     found.open_places = truth.open_columns();
     found.is_plain = !truth.touches_on_column();

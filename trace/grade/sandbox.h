@@ -34,7 +34,7 @@ SandboxCommand sandbox_command(const std::string& bubblewrap, const std::string&
 
 /// Makes root another user, for good; does nothing for others. Only calls async-signal-safe functions.
 bool leave_root();
-/// The same, for this user.
+/// Makes root this user, for good.
 bool leave_root_for(unsigned user);
 
 /// Whether the calls by which a program takes memory of the system, or reaches beyond its files, can be refused here.

@@ -16,7 +16,7 @@ std::vector<AdmittedScene> scenes_to_grade(Language language = Language::english
 /// alternate with scenes of the families in which vertices lie on pixel centres, on edges and on each other.
 std::vector<AdmittedScene> random_scenes_to_grade(unsigned seed, int count, Language language = Language::english);
 
-/// The same for the floating horizon.
+/// The surfaces for programs of the floating horizon.
 std::vector<Surface> surfaces_to_grade(Language language = Language::english);
 std::vector<Surface> random_surfaces_to_grade(unsigned seed, int count, Language language = Language::english);
 

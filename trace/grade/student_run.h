@@ -38,7 +38,7 @@ StudentRun run_student(ContainedProgram& program, const std::vector<DrawnScene>&
 /// Whether the scenes are the same for the judge: polygons may come in any order, start at any vertex and run in either
 /// direction.
 bool same_scene(const Scene& claimed, const Scene& given);
-/// The same for scenes of either kind. Curves must be the same.
+/// Whether scenes of either kind are the same for the judge. Curves must be equal.
 bool same_scene(const DrawnScene& claimed, const DrawnScene& given);
 
 }  // namespace vidno

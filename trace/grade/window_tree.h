@@ -35,7 +35,7 @@ public:
     /// What the parts of the current window leave uncovered, if the trace has reported at least two of them since it
     /// became current.
     std::optional<Uncovered> uncovered_now() const;
-    /// The same for all windows: the first that its parts do not cover.
+    /// The first of all windows that its parts do not cover.
     std::optional<Uncovered> uncovered() const;
 
     /// The program processes each part as soon as it reports it, and the part's own parts next.

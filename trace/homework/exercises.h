@@ -12,7 +12,7 @@
 ///         a vertex or an edge of it is moved, or it is tilted with all polygons in its plane. A step that would make
 ///         the run harder or easier, or add long numbers, is not taken. Now and then the whole scene, mirrored or
 ///         turned, is an exercise.
-/// The same arguments give the same scenes on every machine.
+/// Equal arguments give equal scenes on every machine.
 #pragma once
 
 #include <functional>

@@ -36,7 +36,7 @@ ImportedScene import_mesh(std::string_view bytes, const std::string& file, const
 /// Reads the files beside this one.
 Beside files_beside(const std::string& file);
 
-/// The same for a file that is read here, with the files beside it.
+/// Reads the file here, with the files beside it, and imports it.
 ImportedScene import_mesh_file(const std::string& file, const ImportOptions& options);
 
 }  // namespace vidno

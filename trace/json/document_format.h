@@ -24,7 +24,7 @@ inline constexpr FormatWords russian_format_words{R"(не "{}")",
                                                   R"(не "{}", а "{}": этот файл читает более новая версия vidno)",
                                                   R"(не "{}", а "{}": этот файл читает более старая версия vidno)"};
 
-/// The same for a format that was found.
+/// What is said of a file of another format, by the format that was found.
 std::string other_format(std::string_view format, std::string_view read);
 
 /// Throws Refused if the text has a format, and another one than is read.

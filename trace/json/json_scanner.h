@@ -45,7 +45,7 @@ public:
 
     /// A string without escapes, of ASCII alone.
     std::optional<std::string_view> string() { return skip("\"") ? rest_of_string() : std::nullopt; }
-    /// The same once its first quote was read.
+    /// The rest of a string whose first quote was read.
     std::optional<std::string_view> rest_of_string() {
         const char* const first = at_;
         for (; at_ != end_ && *at_ != '"'; ++at_) {

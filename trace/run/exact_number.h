@@ -166,7 +166,7 @@ private:
         return use(shared_->value);
     }
 
-    /// The same number, a quotient of doubles with fewer digits.
+    /// This number as a quotient of doubles with fewer digits.
     ExactNumber reduced() const {
         if (under_ == 1) return *this;
         const auto divisor = double(std::gcd(dyadic(over_).odd, dyadic(under_).odd));

@@ -44,7 +44,7 @@ std::vector<Loss> losses_of(RunRequest request);
 /// Throws whatever the sink throws; a writer throws EventLimitReached.
 Picture run(const RunRequest& request);
 
-/// The same for a request with a sink; the followers hear of its decisions.
+/// Runs a request with a sink; the followers hear of its decisions.
 Picture traced_run(const RunRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

@@ -44,7 +44,7 @@ public:
     /// An exact number.
     explicit RunTimeNumber(ExactNumber exact) : arithmetic_{Arithmetic::Kind::exact}, exact_(std::move(exact)) {}
 
-    /// The same truth with another value in use.
+    /// Another value in use, with this truth.
     RunTimeNumber with_value(double value) const { return {arithmetic_, value, exact_, judge_}; }
 
     /// A number whose truth is unknown: only the computed value.

@@ -41,7 +41,7 @@ struct AnyMethod : family::Full {
 
     /// Calls `use` with the corrected set of the method.
     auto with_set(auto&& use) const { return is_family(method) ? family::with_set_of(method, use) : use(Corrected{}); }
-    /// The same for a rule that only variants with three lists have.
+    /// Calls `use` with a rule that only variants with three lists have.
     auto with_full_set(auto&& use) const {
         return with_set([&]<class Set>(Set set) {
             if constexpr (std::derived_from<Set, family::Full>) {
@@ -76,7 +76,7 @@ struct AnyMethod : family::Full {
     }
 };
 
-/// The same with the deviations of an edition, for kernels that run the printed text. If several deviations concern one
+/// Calls it with the deviations of an edition, for kernels that run the printed text. If several deviations concern one
 /// function, the first one applies.
 struct AnyEdition : AnyMethod {
     using ZBufferDefects = printed::ZBufferDefects;

@@ -14,7 +14,7 @@ bool write_trace(FloatingHorizonRequest request, TraceWriter& writer);
 inline void finish(TraceWriter& writer, const Picture& picture) { writer.finish(picture); }
 inline void finish(TraceWriter& writer, const DrawnLines& lines) { writer.finish("lines", lines_hash(lines)); }
 
-/// The same with `run()`, which reports to the writer.
+/// Writes the trace of `run()`, which reports to the writer.
 bool write_run(TraceWriter& writer, auto&& run) {
     try {
         finish(writer, run());

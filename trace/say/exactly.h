@@ -26,7 +26,7 @@ struct Exact {
 std::optional<Exact> exactly(const EventView& event, const PolygonWords& words);
 std::optional<Exact> exactly(const EventView& event, const CurveWords& words);
 
-/// The same for the colour that a pixel has.
+/// What is so of the colour that a pixel has.
 std::optional<Exact> exactly_at(int x, int y, const PolygonWords& words);
 
 /// What a run computed; and what is so, if that is something else.

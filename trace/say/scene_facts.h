@@ -59,7 +59,7 @@ public:
     /// The first pixel of the rectangle that shows something else than `expected` accepts.
     std::optional<Shown> unexpected(const PixelRectangle& pixels,
                                     const std::function<bool(std::optional<int>)>& expected) const;
-    /// The same for the picture of the first polygons of the scene.
+    /// What is unexpected in the picture of the first polygons of the scene.
     std::optional<Shown> unexpected(const PixelRectangle& pixels, int polygons,
                                     const std::function<bool(std::optional<int>)>& expected) const;
 

@@ -70,7 +70,7 @@ public:
     std::string takes(long long pixels) const;
     /// "column 3", "columns 3 to 5".
     std::string columns(int first, int last) const;
-    /// The same range without a noun, "3–5".
+    /// A range without a noun, "3–5".
     std::string range(int first, int last) const;
 
 private:
@@ -100,7 +100,7 @@ private:
     const State& after_;
 };
 
-/// The same for a run of curves.
+/// The words of a run of curves.
 class CurveWords : public Words {
 public:
     CurveWords(const FloatingHorizonState& after, Language language) : Words(language), after_(after) {}

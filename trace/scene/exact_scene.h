@@ -22,7 +22,7 @@ std::vector<ScenePolygon> cut_into_triangles(const ScenePolygon& polygon);
 /// The admitted parts of a planar polygon that is not convex, all with its id; none if its outline touches or crosses
 /// itself.
 std::vector<ScenePolygon> cut_into_convex_parts(const ScenePolygon& polygon);
-/// The same in the world.
+/// Its convex parts in the world.
 std::vector<ScenePolygon> cut_into_convex_parts_in_world(const ScenePolygon& polygon);
 
 /// What to say of a polygon whose shape is refused: the vertex at fault, if it is one, and the reason.

@@ -51,7 +51,7 @@ bool is_failure(std::string_view text);
 
 /// `text` is the JSON, `file` its name in messages. Throws Refused, with a line for each fault.
 Failure read_failure(std::string_view text, const std::string& file);
-/// The same from its document. Throws Misread.
+/// Reads a failure from its document. Throws Misread.
 Failure read_failure(const JsonNode& root, const std::string& file);
 
 }  // namespace vidno

@@ -97,7 +97,7 @@ AdmittedScene random_scene(const Family& family, RandomPolygons& random);
 
 /// Each coordinate is moved by at most `most` ulps.
 AdmittedScene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random);
-/// The same for each height.
+/// Each height is moved by at most `most` ulps.
 AdmittedCurves moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
 
 /// Makes a scene valid after its vertices were changed: z between -1 and 1, and polygons that are no longer planar or

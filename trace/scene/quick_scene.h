@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// The same scene as read_scene gives. None for a file with errors or with features that this reader does not know.
+/// The scene that read_scene gives. None for a file with errors or with features that this reader does not know.
 std::optional<Scene> read_quickly(std::string_view text);
 
 }  // namespace vidno

@@ -33,7 +33,7 @@ struct FunctionSurface {
     SurfaceView view;
 };
 
-/// The same with a sample on each column: everything that the screen can show of the function.
+/// The surface with a sample on each column: everything that the screen can show of the function.
 FunctionSurface on_each_column(FunctionSurface surface);
 
 /// The curves, the nearest first. Where the function is not finite, or too large to be shown, a sample has no point.

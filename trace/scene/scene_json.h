@@ -20,7 +20,7 @@ struct SceneWithWarnings {
 /// span of the vertices, a colour comes from the palette. Throws Refused, with a line for each fault.
 SceneWithWarnings read_scene(std::string_view text, const std::string& file);
 
-/// The same for a scene inside another document, with the name of that document's file. Throws Misread.
+/// Reads a scene inside another document; `file` names that document. Throws Misread.
 SceneWithWarnings read_scene(const JsonNode& node, const std::string& file);
 
 /// A scene with everything that its pictures depend on, as in the header of a trace. Throws Misread.

@@ -40,7 +40,7 @@ bool is_surface(std::string_view text);
 /// have defaults: the window is the span of the samples. Throws Refused, with a line for each fault.
 Surface read_surface(std::string_view text, const std::string& file);
 
-/// The same for a surface inside another document. Throws Misread.
+/// Reads a surface inside another document. Throws Misread.
 Surface read_surface(const JsonNode& node);
 
 /// A surface with its window and its samples, as in the header of a trace. Throws Misread.
@@ -54,9 +54,9 @@ struct Function {
     std::string file{};  // the JSON it was read from, on one line
 };
 
-/// The same from a file. Throws Refused, also if there is no function.
+/// Reads the function of a file. Throws Refused, also if there is none.
 Function read_function(std::string_view text, const std::string& file);
-/// The same for a surface inside another document. Throws Misread.
+/// Reads the function of a surface inside another document. Throws Misread.
 Function read_function(const JsonNode& node);
 
 /// The surface as JSON on one line, sample by sample, always the same bytes; read_surface reads back the same surface.

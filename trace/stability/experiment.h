@@ -70,7 +70,7 @@ using TriedMethod = std::optional<Method>;
 Tallies try_out(const Experiment& experiment, const std::vector<AdmittedScene>& series,
                 const std::vector<NamedKernel>& kernels, const std::vector<TriedMethod>& methods);
 
-/// The same for curves, whose columns count as pixels.
+/// Tries curves, whose columns count as pixels.
 Tallies try_out(const AdmittedCurves& scene, const std::vector<NamedKernel>& kernels,
                 const std::vector<TriedMethod>& methods);
 

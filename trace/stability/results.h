@@ -37,9 +37,9 @@ public:
     /// Adds a finished block, and gives its line for a file; it counts once, however often it is added. Throws Refused
     /// if it came out otherwise before.
     std::string add(const Block& block, const Tallies& tallies);
-    /// The same for the line of a file.
+    /// Adds what the line of a file holds.
     void add_line(const std::string& line, const std::string& place);
-    /// The same for the lines of a file of this campaign.
+    /// Adds what the lines of a file of this campaign hold.
     void add_file(const std::string& file);
 
     /// The sum over the blocks of an experiment in a family.

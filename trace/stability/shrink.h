@@ -21,10 +21,10 @@ using Property = std::function<bool(const AdmittedScene&)>;
 ///         to fewer binary places.
 AdmittedScene shrunk(AdmittedScene scene, const Property& keeps);
 
-/// The same for curves: the result cannot lose a curve, a sample or a binary place of a height.
+/// Smaller curves: the result cannot lose a curve, a sample or a binary place of a height.
 AdmittedCurves shrunk(AdmittedCurves scene, const std::function<bool(const AdmittedCurves&)>& keeps);
 
-/// The same for polygons and vertices only; coordinates do not change.
+/// A scene with fewer polygons and vertices only; coordinates do not change.
 AdmittedScene with_fewest_parts(AdmittedScene scene, const Property& keeps);
 
 /// The scene without one of its polygons.

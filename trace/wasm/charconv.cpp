@@ -30,7 +30,7 @@ char* write_scientific(char* to, string_view digits, int exponent) {
     return write_printed(to, "e%+03d", exponent + int(digits.size()) - 1);
 }
 
-/// The same with a negative exponent as ddd.ddd or 0.00ddd.
+/// With a negative exponent: as ddd.ddd or 0.00ddd.
 char* write_fraction(char* to, string_view digits, int exponent) {
     const int before_point = int(digits.size()) + exponent;
     if (before_point > 0) {

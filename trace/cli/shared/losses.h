@@ -15,7 +15,7 @@ public:
     /// The losses of an input file.
     void add(const std::string& file, const std::vector<Loss>& losses);
 
-    /// The same where the output lacks nothing of it, for this reason: it is said, but is no loss.
+    /// Says what has no effect on the output, and for which reason. That is no loss.
     void note(const std::string& file, const std::vector<Loss>& without_effect, const std::string& reason);
 
     /// After the last event that is needed: what the trace lacks, and what its run lost. Reads on to the end of the

@@ -37,7 +37,7 @@ CLI::Validator a_count();
 /// Adds the scene and all options of its run except the detail. `scene` and `method` are their help texts.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& scene, const std::string& method,
                      const std::vector<std::string>& methods);
-/// The same where the scene may be of polygons or of curves.
+/// Adds them where the scene may be of polygons or of curves.
 void add_any_run_options(CLI::App& command, RunOptions& options);
 
 /// The index of a name that the command line has checked.

@@ -12,10 +12,10 @@ namespace vidno::cli {
 /// The scene of a file of polygons, or of a failure, which is described on standard error. Warnings go there, too.
 AdmittedScene scene_from(const std::string& file);
 
-/// The same for a scene of polygons or of curves.
+/// Reads a scene of polygons or of curves.
 AnyScene any_scene_from(const std::string& file);
 
-/// The same for a run. Options that are not given are taken from a failure; the method must suit the scene. With
+/// Reads the scene of a run. Options that are not given are taken from a failure; the method must suit the scene. With
 /// `says_step`, standard error says where the failure is seen.
 AnyScene any_scene_for(RunOptions& options, bool says_step = false);
 
