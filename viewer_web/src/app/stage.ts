@@ -1,4 +1,4 @@
-import { html, nothing } from 'lit';
+import { html } from 'lit';
 import type { TemplateResult } from 'lit';
 import type { StatePart } from '../algorithm/shows.js';
 import type { PageView, Way } from '../base/setting.js';
@@ -7,7 +7,6 @@ import type { Act } from '../editor/editor.js';
 import { speedFor } from '../elements/clock.js';
 import { texts } from '../i18n/index.js';
 import type { Check } from '../exactness/truth.js';
-import type { Language } from '../language/language.js';
 import { nameIn } from '../language/scene-name.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
@@ -101,6 +100,7 @@ export function alone(page: Shown): TemplateResult {
       layout=${page.view}
       ?beside=${page.isReading}
       .parts=${page.parts}
+      ?welcome=${page.isFirst}
       ?linked=${session.isLinked}
       .layer=${layer}
       .exact=${exactOf(page)}
@@ -213,17 +213,4 @@ function noteOf({ session, setup }: Shown): string {
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
   const name = rival.trace?.header.scene.name ?? '';
   return name === trace?.header.scene.name ? '' : nameIn(setup.language, name);
-}
-
-/** The button for a surface of the reader's own, if the page can run scenes. */
-export function ownSurface(
-  { canRun }: Session,
-  language: Language,
-  open: (name: string) => void,
-): TemplateResult | typeof nothing {
-  if (!canRun) return nothing;
-  const { surface } = texts[language].curves;
-  return html`<button class="own-surface" @click=${() => open(surface.name)}>
-    ${surface.own}
-  </button>`;
 }

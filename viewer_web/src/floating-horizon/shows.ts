@@ -39,6 +39,7 @@ function curveIcon(entry: CurveLegendEntry): SVGTemplateResult {
 defineShows(['floating-horizon'], {
   state: (view, parts) =>
     html`<vidno-horizon .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-horizon>`,
+  holds: () => ['curve', 'side-edges', 'horizons'],
   legend: curveEntries,
   icon: (entry) => (isCurveEntry(entry) ? curveIcon(entry) : null),
   picture: (of) => {

@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import { showsOf } from '../algorithm/shows.js';
 import type { StatePart } from '../algorithm/shows.js';
 import { withKey } from '../base/key-map.js';
 import type { PageView } from '../base/setting.js';
@@ -49,6 +50,7 @@ import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Trace } from '../replay/trace.js';
+import type { Values } from '../replay/values.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Command, TravelElement } from '../time/travel.js';
 import './picture-panel.js';
@@ -61,7 +63,7 @@ import './side.js';
 import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
-import { verdictOn } from './verdict.js';
+import { verdictOn, welcomeOn } from './verdict.js';
 
 /** Whether only the scene was changed: the form and the handles show that, and the rest waits for the run. */
 function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
@@ -568,6 +570,8 @@ export class PlayerElement extends StageElement {
   /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
+  /** Whether the reader sees this page for the first time, at the end of a run: its result comes first, in common words. */
+  @property({ type: Boolean }) welcome = false;
   /** The query of the outline's search, and the steps found. */
   @state() private sought = '';
   @state() private hits: readonly number[] = [];
@@ -616,6 +620,7 @@ export class PlayerElement extends StageElement {
     this.predictor.follow();
     super.willUpdate(changed);
     if (changed.has('trace')) this.hits = [];
+    if (this.trace !== null && this.step < this.length) this.welcome = false;
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
@@ -714,6 +719,8 @@ export class PlayerElement extends StageElement {
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
+    // The finished picture alone, before anyone asks for a step.
+    const pictured = this.welcome ? withoutStep(view) : view;
     return html`
       ${this.source.remark(this.language)}
       <div
@@ -729,11 +736,7 @@ export class PlayerElement extends StageElement {
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
-              <span class="at">${view.event?.at ?? '·'}</span>
-              <span
-                >${this.verdict(trace, view)}
-                ${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
-              >
+              ${this.said(trace, view)}
             </p>
             ${this.presenter.corner(view)}
           </div>
@@ -747,7 +750,7 @@ export class PlayerElement extends StageElement {
         </div>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
-            .view=${view}
+            .view=${pictured}
             .editing=${this.edited}
             .layer=${layer}
             .exact=${this.exact}
@@ -769,7 +772,7 @@ export class PlayerElement extends StageElement {
             ></vidno-listing>
           </section>
           ${this.edited === null ? nothing : this.editor(this.edited, view)}
-          ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history, veiled) : nothing}
+          ${isShown('side', this.layout, this.side, this.hasState(view)) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
@@ -780,6 +783,17 @@ export class PlayerElement extends StageElement {
         @vidno-keys=${() => this.requestUpdate()}
       ></vidno-keys>
     `;
+  }
+
+  /**
+   * Whether a lesson has a state to show. At the ends of a run, where nothing follows it from step to step, an empty one takes
+   * no room.
+   */
+  private hasState(view: View): boolean {
+    const { parts, first, last } = this;
+    const isAtEnd = view.step === first || view.step === last;
+    const held = showsOf(view).holds(view);
+    return isAtEnd ? parts.some((part) => held.includes(part)) : parts.length > 0;
   }
 
   /** The panels about a step in a lesson, which has no choice between panels. */
@@ -804,6 +818,17 @@ export class PlayerElement extends StageElement {
     >
       ${name}
     </button>`;
+  }
+
+  /** The line of the listing, and what happens there. At the end of the run, the result comes first. */
+  private said(trace: Trace, view: View): TemplateResult {
+    const greeting = this.welcome ? welcomeOn(trace, view, this.exact) : null;
+    if (greeting !== null) return html`<span class="welcome">${greeting}</span>`;
+    return html`<span class="at">${view.event?.at ?? '·'}</span>
+      <span
+        >${this.verdict(trace, view)}
+        ${this.welcome ? nothing : statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
+      >`;
   }
 
   /** The result, at the end of the run. */
@@ -884,6 +909,12 @@ export class PlayerElement extends StageElement {
     else super.steer(command);
   }
 }
+
+/** The picture of a run without the marks of a step. */
+const withoutStep = (view: View): View => {
+  const nothingHeld: Values = { step: view.step, calls: [] };
+  return { ...view, event: null, before: nothingHeld, after: nothingHeld };
+};
 
 /** The terms of a sentence. A polygon may be named like one. */
 const termsIn = ({ language, header }: View): FirstTerms =>

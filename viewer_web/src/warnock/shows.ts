@@ -9,5 +9,11 @@ defineShows(methods.filter(hasWindows), {
   ...ofPolygons,
   state: (view, parts) =>
     html`<vidno-warnock .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-warnock>`,
+  holds: ({ header, after: { warnock } }) => [
+    'window',
+    'corner-depths',
+    ...(header.detail !== 'windows' && warnock?.apl ? (['active-polygons'] as const) : []),
+    ...(warnock?.stack.length ? (['stack'] as const) : []),
+  ],
   legend: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
 });

@@ -42,6 +42,7 @@ defineShows(['weiler-atherton'], {
   ...ofPolygons,
   state: (view, parts) =>
     html`<vidno-regions .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-regions>`,
+  holds: () => ['list', 'parts', 'visible'],
   legend: [...regionEntries, 'touched', 'chosen'],
   icon: (entry) => (isRegionEntry(entry) ? regionIcon(entry) : null),
   picture: (of) => {

@@ -8,5 +8,10 @@ defineShows(['zbuffer'], {
   ...ofPolygons,
   state: (view, parts) =>
     html`<vidno-zbuffer .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-zbuffer>`,
+  holds: ({ after: { zbuffer } }) => [
+    'scanline',
+    'z-buffer',
+    ...(zbuffer?.ael.length ? (['active-edges'] as const) : []),
+  ],
   legend: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 });

@@ -5,7 +5,10 @@ export const page = {
   tagline: 'why a pixel has its colour',
   lessons: 'Lessons',
   noLessons: 'This page was built without lessons.',
-  ownFile: 'Your own scene or trace',
+  own: 'Your own scene',
+  ownHint: 'Draw polygons, write a formula, or open a file',
+  drawOwn: 'Draw polygons',
+  ownFile: 'A scene or a trace from a file',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz',
   reading: (name: string): string => `Reading ${name}…`,
@@ -92,7 +95,7 @@ export const page = {
   workbench: 'Workbench',
   workbenchHint: 'Everything about each step: state, exactness, 3D, time strip',
   /** The label of the button that shows the tools where there is no room for them. */
-  tools: 'Tools',
+  menu: 'Menu',
   /** The dividers, by the part whose size they change. */
   sizeOf: {
     text: 'Size of the text',
