@@ -22,7 +22,7 @@ import '../elements/file-drop.js';
 import '../elements/languages.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
-import { base, leastPanel, tokens, zoomButtons } from '../elements/theme.js';
+import { base, leastPanel, lowScreen, tokens, zoomButtons } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { languages, preferredLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
@@ -31,7 +31,7 @@ import { embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
 import { sceneTitle } from '../lessons/run-name.js';
-import type { PlayerElement } from '../player/player.js';
+import type { Front, PlayerElement } from '../player/player.js';
 import { namesNothing, parseAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import '../solid/solid-element.js';
@@ -259,15 +259,11 @@ const appStyle = css`
     :host([reading][view='workbench']) {
       --dock: 16.6rem;
     }
-    /* As high as the picture and the dock; the panels are below, and the page scrolls to them. */
-    :host([reading]) main {
-      height: var(--room);
-      overflow: auto;
+    :host([reading][front='run']) vidno-reader {
+      display: none;
     }
     :host([reading]) main:has(> vidno-player[asking]) {
       --room: 0px;
-      height: auto;
-      overflow: visible;
     }
     :host([reading]) :is(vidno-page-header, vidno-languages, vidno-notice) {
       padding-inline: 0.6rem;
@@ -289,10 +285,57 @@ const appStyle = css`
       --name-inset: 0.6rem;
     }
   }
+  /* The panels are beside the picture, and the text is below both. */
+  @media (min-width: 704px) and (max-width: 899px) {
+    :host([reading]) main:not(:has(> vidno-player[asking])) {
+      height: var(--room);
+      overflow: auto;
+    }
+    :host([reading][front='run']) vidno-reader {
+      display: flex;
+    }
+  }
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
       --room: calc(max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
+    }
+  }
+  /* A phone on its side: the picture is as high as the screen, and beside it, below the controls, is the text or the panels. */
+  @media ${lowScreen} {
+    :host(:is([view], [reading])) {
+      --pad: 0px;
+      --gap: 0.4rem;
+      --dock: 11.2rem;
+      --room: calc(100dvh - 2.75rem);
+      gap: 0;
+      height: auto;
+      min-height: 100dvh;
+      grid-template: 'header' minmax(2.75rem, auto) 'main' auto / minmax(0, 1fr);
+    }
+    :host(:is([view], [reading])) main {
+      height: auto;
+      overflow: visible;
+    }
+    :host([embed][view]) {
+      --room: 100dvh;
+      grid-template: 'main' auto / minmax(0, 1fr);
+    }
+    :host([reading]) .fold {
+      display: none;
+    }
+    :host([reading]) vidno-reader {
+      display: flex;
+      grid-area: main;
+      align-self: start;
+      justify-self: end;
+      width: calc(100% - var(--room) - var(--gap));
+      height: calc(var(--room) - var(--dock) - var(--gap));
+      margin-top: calc(var(--dock) + var(--gap));
+      contain: size;
+    }
+    :host([reading][front='run']) vidno-reader {
+      display: none;
     }
   }
   /* Two pictures and their sentences fit on one screen. */
@@ -385,6 +428,8 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private menu: Menu | null = null;
+  /** What is in front on a screen that has no room for both the text and the panels. */
+  @state() front: Front = 'text';
   isFirst = false;
   /** Whether the tour is running. */
   @state() private isToured = false;
@@ -436,6 +481,7 @@ export class AppElement extends LitElement implements Shown, Told {
     this.isOpening = true;
     const isTour = location.hash === tourAddress;
     this.isFirst = namesNothing(address);
+    this.front = 'text';
     void this.reading.follow({ ...address, rival: beside }, this.ways.isUnsaved).finally(() => {
       this.isOpening = false;
       if (isTour) this.showAround();
@@ -497,7 +543,9 @@ export class AppElement extends LitElement implements Shown, Told {
     return this.reading.story?.shows ?? noParts;
   }
 
+  /** A panel that the reader opens is in front. */
   turned(): void {
+    if (this.player.side !== 'state' || this.player.isEdited) this.front = 'run';
     this.requestUpdate();
   }
 
@@ -667,6 +715,7 @@ export class AppElement extends LitElement implements Shown, Told {
     this.toggleAttribute('comparing', isCompared);
     this.toggleAttribute('reading', this.isReading);
     this.setAttribute('view', this.view);
+    this.setAttribute('front', this.front);
     const isEmpty = trace === null && !session.isOpening;
     const { menu } = this;
     if (menu === null && !isEmpty) this.removeAttribute('menu');

@@ -80,9 +80,16 @@ export class PageHeaderElement extends LitElement {
         }
         button {
           padding: 0 0.4rem;
+          font-size: 0.875rem;
         }
         .tools {
           gap: 0;
+        }
+      }
+      /* There is no room for a name. */
+      @media (min-width: 900px) and (max-width: 999px) {
+        slot {
+          visibility: hidden;
         }
       }
       /* On a small screen the rarely used tools are hidden in a line of their own. */
@@ -94,6 +101,7 @@ export class PageHeaderElement extends LitElement {
         }
         button {
           padding: 0 0.5rem;
+          font-size: 0.9375rem;
         }
         h1 {
           line-height: 2.75rem;
@@ -121,6 +129,14 @@ export class PageHeaderElement extends LitElement {
       @media (max-width: 389px) {
         h1 {
           margin-right: min(100% - 5rem, 100% * (var(--languages) - 1));
+          font-size: 1.125rem;
+        }
+        header {
+          gap: 0 0.2rem;
+        }
+        button {
+          padding: 0 0.25rem;
+          font-size: 0.875rem;
         }
         .more {
           margin-right: max(0rem, 5rem * (2 - var(--languages)));

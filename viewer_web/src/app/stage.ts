@@ -12,6 +12,7 @@ import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import '../player/player.js';
+import type { Front } from '../player/player.js';
 import { isComparedUnasked } from '../player/verdict.js';
 import type { Keeper } from '../predict/keeper.js';
 import type { Setup } from '../reader/address.js';
@@ -35,6 +36,8 @@ export interface Shown {
   readonly isFirst: boolean;
   /** The parts of the state that the lesson asks for. */
   readonly parts: readonly StatePart[];
+  /** What is in front on a screen that has no room for both the text and the panels. */
+  front: Front;
   /** Called when another panel is opened beside the run. */
   turned(): void;
   change(part: Partial<Setup>): void;
@@ -99,6 +102,8 @@ export function alone(page: Shown): TemplateResult {
       ?presenting=${presenting && trace !== null}
       layout=${page.view}
       ?beside=${page.isReading}
+      .front=${page.isReading ? page.front : null}
+      @vidno-front=${({ detail }: CustomEvent<Front>) => (page.front = detail)}
       .parts=${page.parts}
       ?welcome=${page.isFirst}
       ?linked=${session.isLinked}

@@ -27,6 +27,7 @@ const scenePanelStyle = css`
     flex-wrap: wrap;
     gap: 0.3rem;
     padding: 0.5rem 0.75rem 0;
+    scroll-margin-bottom: 13rem; /* the dock */
   }
   .tools button {
     padding: 0 0.55rem;
@@ -96,6 +97,12 @@ export class ScenePanelElement extends FormElement {
       ${this.tools()} ${this.message()}
       <div class="scroll">${first} ${second}</div>
     `;
+  }
+
+  /** On a small screen it is below the picture. */
+  async bringIntoSight(): Promise<void> {
+    await this.updateComplete;
+    this.renderRoot.querySelector('.tools')?.scrollIntoView({ block: 'nearest' });
   }
 
   private tools(): TemplateResult {
@@ -177,5 +184,11 @@ export class ScenePanelElement extends FormElement {
     return reachesOut(editing.sketch)
       ? say.howOutside
       : showsOfEdited(editing).how(texts[this.language]);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-scene-panel': ScenePanelElement;
   }
 }

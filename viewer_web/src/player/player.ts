@@ -26,6 +26,7 @@ import {
   hiddenStyle,
   leastPanel,
   leastPicture,
+  lowScreen,
   moreControls,
   tallScreen,
   tokens,
@@ -71,6 +72,12 @@ function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
     changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
   );
 }
+
+/** What is in front where there is room for one: the text of a lesson, or the panels of the run. */
+export type Front = 'text' | 'run';
+
+/** The number of letters from which a sentence needs smaller type on a phone. */
+const longSentence = 130;
 
 /**
  * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room
@@ -259,6 +266,24 @@ const playerStyle = css`
     border-color: var(--accent);
     color: var(--accent);
   }
+  .fronts {
+    display: none;
+    grid-column: 1 / -1;
+    gap: 0.25rem;
+  }
+  .fronts button {
+    flex: 1;
+    overflow: hidden;
+    color: var(--soft);
+    font-size: 0.8125rem;
+    font-weight: 600;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .fronts button[aria-pressed='true'] {
+    border-color: var(--accent);
+    color: var(--accent);
+  }
   .sentence .at {
     flex: none;
     min-width: 3.4rem;
@@ -356,16 +381,16 @@ const playerStyle = css`
       contain: content;
     }
     /* The requested panel comes first. Panels that grow from step to step scroll their content. */
-    .beside:has(> .side:not(.state)) {
+    .beside:not(:has(> .scene)):has(> .side:not(.state)) {
       grid-template-areas: 'side' 'listing';
       grid-template-rows: minmax(20rem, auto) 19rem;
     }
-    .beside:has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
+    .beside:not(:has(> .scene)):has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
       grid-template-rows: 22rem 19rem;
     }
     .beside:has(> .scene),
     .beside:has(> .scene):not(:has(> .side)) {
-      grid-template: 'scene' minmax(20rem, auto) 'side' auto 'listing' 19rem / minmax(0, 1fr);
+      grid-template: 'scene' 22rem 'side' auto 'listing' 19rem / minmax(0, 1fr);
       height: auto;
       overflow: visible;
     }
@@ -381,6 +406,14 @@ const playerStyle = css`
         display: var(--more-controls, flex);
         grid-area: 3 / 1 / auto / -1;
         margin: 0;
+      }
+    }
+    @media (max-width: 899px) {
+      :host([front='text']) .beside {
+        display: none;
+      }
+      :host([front]) .fronts {
+        display: flex;
       }
     }
     /* A question may be answered in the picture, too. */
@@ -403,7 +436,7 @@ const playerStyle = css`
       line-height: 1.2;
       gap: 0.5rem;
     }
-    .sentence:has(.verdict, .exactly) {
+    .sentence:is(.long, :has(.verdict, .exactly)) {
       font-size: 0.75rem;
       line-height: 1.15;
     }
@@ -424,13 +457,94 @@ const playerStyle = css`
     :host([layout='workbench']) .stage {
       --usual-dock: 16.6rem;
     }
-    :host([layout='workbench']) .sentence {
+    .sentence {
       height: 4.4rem;
+    }
+  }
+  @container (max-width: 350px) {
+    .sentence {
+      height: 5.4rem;
     }
   }
   @media (max-height: 599px) {
     .dock {
       position: static;
+    }
+  }
+  /* The controls stay at the lower edge of the screen, and the panels are next to the picture. */
+  @media (min-height: 600px) {
+    @container (max-width: 703px) {
+      :host(:not([front='text'])) .stage {
+        grid-template-areas: 'picture' 'beside' 'dock';
+        grid-template-rows:
+          minmax(
+            min-content,
+            clamp(
+              ${leastPanel},
+              var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
+              100cqw + var(--above, 0px) + var(--feet, var(--foot, 2.25rem))
+            )
+          )
+          auto auto;
+      }
+    }
+  }
+  @media ${lowScreen} {
+    :host(:not([src]):not([presenting])) .stage {
+      flex: none;
+      min-height: var(--room);
+      grid-template:
+        'picture dock' auto
+        'picture beside' minmax(var(--rest, 9rem), 1fr) / var(--room) minmax(0, 1fr);
+    }
+    :host([layout='lesson']:not([src]):not([presenting])) .stage {
+      height: var(--room);
+      --rest: 0px;
+    }
+    :host(:not([src]):not([presenting])) .picture {
+      height: var(--room);
+      min-height: 0;
+      --least-picture: 0px;
+    }
+    :host(:not([src]):not([presenting])) .beside {
+      display: grid;
+      grid-template: 'side' 100% 'listing' 14rem / minmax(0, 1fr);
+      gap: var(--gap);
+      margin: 0;
+      overflow: auto;
+      contain: size;
+    }
+    :host(:not([src]):not([presenting])) .beside:not(:has(> :is(.side:not(.state), .scene))) {
+      grid-template: 'listing' minmax(7rem, 1fr) 'side' auto / minmax(0, 1fr);
+    }
+    :host(:not([src]):not([presenting])) .beside:has(> .scene) {
+      grid-template: 'scene' 100% 'side' auto 'listing' 14rem / minmax(0, 1fr);
+    }
+    :host(:not([src]):not([presenting])) .beside > section {
+      contain: content;
+    }
+    :host(:not([src]):not([presenting])) .dock {
+      position: static;
+      align-content: start;
+      margin: 0 0 var(--gap) var(--gap);
+      padding: 0.3rem 0.6rem 0.4rem;
+      container-type: inline-size;
+    }
+    :host(:not([src]):not([presenting])[front='text']) .dock {
+      height: var(--dock);
+    }
+    :host(:not([src]):not([presenting])) .beside {
+      margin-left: var(--gap);
+    }
+    :host(:not([src]):not([presenting])) vidno-divider,
+    :host(:not([src]):not([presenting])) .asides {
+      display: none;
+    }
+    :host([front='text']) .beside {
+      visibility: hidden;
+    }
+    :host([front]) .fronts {
+      display: flex;
     }
   }
   /* One sheet of A4: the sentence, the picture beside the state, and the listing. */
@@ -567,6 +681,11 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) keeper: Keeper | null = null;
   /** Whether a text is beside the player, which leaves room for two columns. */
   @property({ type: Boolean, reflect: true }) beside = false;
+  /**
+   * What is shown beside a text on a screen without room for both: that text, or the panels of the run. An event `vidno-front`
+   * asks to change it.
+   */
+  @property({ reflect: true }) front: Front | null = null;
   /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
@@ -641,6 +760,10 @@ export class PlayerElement extends StageElement {
     if (changed.has('side') || changed.has('isEdited')) {
       this.dispatchEvent(new CustomEvent('vidno-side'));
     }
+    const isTurned = changed.has('side') || changed.has('front') || changed.has('isEdited');
+    if (isTurned && this.isEdited) {
+      void this.renderRoot.querySelector('vidno-scene-panel')?.bringIntoSight();
+    } else if (isTurned && this.side === 'pixel') void this.panel.bringIntoSight();
   }
 
   protected override actions(event: KeyboardEvent): Actions {
@@ -732,7 +855,7 @@ export class PlayerElement extends StageElement {
           ${this.announcer.render()}
           <div class="said">
             <p
-              class="sentence"
+              class="sentence ${view.sentence.length > longSentence ? 'long' : ''}"
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
@@ -746,7 +869,7 @@ export class PlayerElement extends StageElement {
             veiled,
             hits: this.hits,
           })}
-          ${this.asides(view)}
+          ${this.asides(view)} ${this.fronts(view)}
         </div>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
@@ -805,6 +928,23 @@ export class PlayerElement extends StageElement {
       'predict',
     ];
     return html`<div class="asides">${sides.map((side) => this.aside(side, view))}</div>`;
+  }
+
+  /** The choice between the text and the panels, on a screen that has no room for both. */
+  private fronts(view: View): TemplateResult | typeof nothing {
+    if (this.front === null) return nothing;
+    const { listing } = view.texts;
+    const panel = this.side === 'state' ? listing : sideName(this.side, view);
+    const button = (front: Front, name: string): TemplateResult =>
+      html`<button
+        aria-pressed=${this.front === front ? 'true' : 'false'}
+        @click=${() => this.dispatchEvent(new CustomEvent<Front>('vidno-front', { detail: front }))}
+      >
+        ${name}
+      </button>`;
+    return html`<div class="fronts" role="group">
+      ${button('text', texts[this.language].reader.text)} ${button('run', panel)}
+    </div>`;
   }
 
   private aside(side: Side, view: View): TemplateResult {
