@@ -138,7 +138,7 @@ describe('the chart', () => {
     const wrong = await page
       .locator('vidno-points tbody tr')
       .evaluateAll((all) =>
-        all.map((row) => !(row.lastElementChild?.textContent.trim() ?? '').startsWith("0%")),
+        all.map((row) => !(row.lastElementChild?.textContent.trim() ?? '').startsWith('0%')),
       );
     const points = await dots(page, 'main');
     expect(points.length).toBe(wrong.length);

@@ -30,6 +30,7 @@ export function notices(session: Session, language: Language): TemplateResult {
     () => session.stop(),
     go,
     () => session.coarsen(),
+    () => session.live.save(),
   )}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
@@ -46,6 +47,7 @@ function noticeOf(
   stop: () => void,
   go: ((event: CustomEvent<number>) => void) | null = null,
   coarsen: (() => void) | null = null,
+  save: (() => void) | null = null,
 ): TemplateResult {
   return html`<vidno-notice
     class=${notice?.kind ?? nothing}
@@ -55,5 +57,6 @@ function noticeOf(
     @stop=${stop}
     @go=${go}
     @coarsen=${coarsen}
+    @save=${save}
   ></vidno-notice>`;
 }

@@ -91,6 +91,10 @@ export class PageHeaderElement extends LitElement {
         slot {
           visibility: hidden;
         }
+        button {
+          padding: 0 0.2rem;
+          font-size: 0.8125rem;
+        }
       }
       /* On a small screen the rarely used tools are hidden in a line of their own. */
       @media (max-width: 899px) {

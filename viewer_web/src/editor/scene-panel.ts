@@ -139,8 +139,8 @@ export class ScenePanelElement extends FormElement {
   }
 
   private sharing(): TemplateResult {
-    const { say, linked } = this;
-    const isLink = linked && !isOnDisk();
+    const { say, linked, link } = this;
+    const isLink = linked && link !== 'tooLong' && !isOnDisk();
     return html`<button
       title=${isLink ? say.linkHint : say.pageHint}
       @click=${() => ask(this, 'vidno-link')}
@@ -178,7 +178,8 @@ export class ScenePanelElement extends FormElement {
 
   private news(link: LinkMade | null, messages: string): string {
     const { say, editing } = this;
-    if (link !== null) return link === 'copied' ? say.linkCopied : say.pageSaved;
+    const said = { copied: say.linkCopied, saved: say.pageSaved, tooLong: say.linkTooLong };
+    if (link !== null) return said[link];
     if (editing.drawn !== null) return say.drawing;
     if (messages !== '') return messages;
     return reachesOut(editing.sketch)

@@ -19,6 +19,7 @@ export const page = {
   long: (steps: string): string =>
     `The run is longer than ${steps} steps, at which this page ends a run: its beginning is shown. For all of them, save the scene, ` +
     'run “vidno trace scene.json -o run.jsonl.gz” with the same settings, and open that file here.',
+  saveLong: 'Save the scene',
   coarsen: 'Run with fewer steps: detail “windows”',
   unreadable: (name: string, line: number, where: string, reason: string): string =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,

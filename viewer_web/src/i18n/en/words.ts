@@ -22,8 +22,7 @@ export const words = {
 export const verdict = {
   /** Begins the result. */
   finished: 'Finished',
-  welcome:
-    'Finished: where polygons overlap, the nearest is visible. Play to see how.',
+  welcome: 'Finished: where polygons overlap, the nearest is visible. Play to see how.',
   pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
   /** The same where polygons share a colour, so that a right colour may be that of a wrong polygon. */
