@@ -45,7 +45,10 @@ function look(page: Page): Promise<Found> {
 async function isSound(page: Page, width: number, when: string): Promise<void> {
   const { sides, out, cut } = await look(page);
   expect(sides, when).toHaveLength(1);
-  expect(Math.min(...sides), when).toBeGreaterThanOrEqual(least);
+  // On a low screen the picture is as high as the screen without the header.
+  const { height } = page.viewportSize() ?? { height: 0 };
+  const isLow = height < 400 && width > 560;
+  expect(Math.min(...sides), when).toBeGreaterThanOrEqual(isLow ? 280 * 1.1 : least);
   expect({ out, cut }, when).toEqual({ out: [], cut: [] });
   expect(await widthOf(page), when).toBe(width);
 }
@@ -127,7 +130,7 @@ async function contents(page: Page): Promise<void> {
   expect(await seen(page, 'vidno-lesson-list', 'nav')).toBeGreaterThan(
     Math.min(0.5 * text, all - 1),
   );
-  expect(await height(page, '.own-surface:not(.atlas)')).toBeLessThan(48);
+  expect(await height(page, 'nav .again')).toBeLessThan(48);
   await page.locator('vidno-page-header button.contents').click();
 }
 

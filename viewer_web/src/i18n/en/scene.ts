@@ -1,7 +1,7 @@
 export const scene = {
   scene: 'Scene',
   edit: 'Edit',
-  /** The same where some vertices lie outside the picture. */
+  /** Replaces `how` where some vertices lie outside the picture. */
   howOutside:
     'Drag a vertex, or an edge to move the whole polygon. Some vertices lie outside the picture: zoom out to see them.',
   how: 'Drag a vertex to move it, or an edge to move the whole polygon. Keys move, raise, add and remove vertices: see “Keys”.',
@@ -25,6 +25,8 @@ export const scene = {
   link: 'Copy link',
   linkHint: 'Copies a link with the scene, this way to run it, and this step',
   linkCopied: 'Link copied.',
+  linkTooLong:
+    'This scene is too large for a link. “Save page” makes a file to send instead, which opens at this step.',
   page: 'Save page',
   pageHint: 'Saves this page as a file to send, with the run shown, this step and the bookmarks',
   pageSaved: 'Saved as a page that opens here. Send the file.',
@@ -51,12 +53,16 @@ export const scene = {
   corner: (id: string, n: number, x: number, y: number, z: number): string =>
     `${id}, vertex ${n}: x ${x}, y ${y}, depth ${z}`,
   coordinate: (axis: 'x' | 'y' | 'z', n: number): string => `${axis} of vertex ${n}`,
+  depth: 'depth z',
+  depthOf: (id: string): string => `depth of ${id}`,
+  /** Shows the depth of each vertex. */
+  tilt: 'Depth of each vertex',
   follows: 'Follows from the depths of the first three vertices',
   split: (n: number): string => `Add a vertex after vertex ${n}`,
   removeCorner: (n: number): string => `Remove vertex ${n}`,
   refused: (polygon: string | null, reason: string): string =>
     polygon === null ? reason : `${polygon}: ${reason}`,
-  /** The same for a surface's formula. */
+  /** The reason for refusing a surface's formula. */
   formula: (reason: string): string => `The formula: ${reason}`,
   stands: 'Showing the previous run.',
   /** A place in the text of a file. */
