@@ -126,10 +126,10 @@ TEST_CASE("A constructed point half a pixel off is an error, and the report says
     CHECK(off > 0);
 }
 
-// The events of a window that is examined, with the level from which each appears: pop (windows), call of ProcessWindow
-// (polygons), call of SurroundTest (signs), orient (signs), summary (polygons), decide (windows). Before each a decision
-// was wrong.
-TEST_CASE("The list has the steps of a level: an event's own, or the one that contains what happens up to it") {
+// The events of a window that is examined, with the level from which each appears: pop (windows), call of
+// ProcessWindow (polygons), call of SurroundTest (signs), orient (signs), summary (polygons), decide (windows). Before
+// each a decision was wrong.
+TEST_CASE("The list has the steps of a level: that of an event, or the one that contains what happens up to it") {
     using Steps = std::vector<std::pair<std::uint64_t, bool>>;
     const auto found = [](Detail level) {
         FindingList list(Procedure::warnock, {0, 0, 1, 1}, 0, 0, level);

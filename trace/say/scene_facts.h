@@ -17,8 +17,8 @@
 
 namespace vidno {
 
-/// By the picture rule. Polygons are named by their place in the scene, edges by their first vertex. What is made of an infinite coordinate,
-/// or of one that is no number, is not known.
+/// By the picture rule. Polygons are named by their place in the scene, edges by their first vertex. What is made of an
+/// infinite coordinate, or of one that is no number, is not known.
 class SceneFacts {
 public:
     /// The facts about the scene of a run, whose header must outlive them. Nothing is known of the lines as which its
