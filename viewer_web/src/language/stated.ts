@@ -15,4 +15,7 @@ export function correctedPixel(text: Stated): readonly [x: number, y: number] | 
   return [x, y];
 }
 
-export const inOneLine = (text: Stated): string => text.split('\n').slice(0, 2).join(' ');
+/** What the run computed, and what is so instead if it is something else. */
+export const sentencesOf = (text: Stated): readonly string[] => text.split('\n').slice(0, 2);
+
+export const inOneLine = (text: Stated): string => sentencesOf(text).join(' ');
