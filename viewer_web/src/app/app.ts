@@ -257,7 +257,7 @@ const appStyle = css`
       gap: 0.4rem 0;
     }
     :host([reading][view='workbench']) {
-      --dock: 16.6rem;
+      --dock: 18.7rem;
     }
     :host([reading][front='run']) vidno-reader {
       display: none;
@@ -298,7 +298,7 @@ const appStyle = css`
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --room: calc(max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
+      --room: min(100dvh - 3.25rem, max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
     }
   }
   /* A phone on its side: the picture is as high as the screen, and beside it, below the controls, is the text or the panels. */

@@ -474,13 +474,10 @@ const playerStyle = css`
       :host(:not([front='text'])) .stage {
         grid-template-areas: 'picture' 'beside' 'dock';
         grid-template-rows:
-          minmax(
-            min-content,
-            clamp(
-              ${leastPanel},
-              var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
-              100cqw + var(--above, 0px) + var(--feet, var(--foot, 2.25rem))
-            )
+          clamp(
+            ${leastPanel},
+            var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
+            100cqw + var(--above, 0px) + var(--feet, var(--foot, 2.25rem))
           )
           auto auto;
       }

@@ -105,13 +105,15 @@ const transportStyle = css`
   .short {
     display: none;
   }
-  @container (max-width: 830px) {
+  @container (max-width: 970px) {
     .long {
       display: none;
     }
     .short {
       display: inline;
     }
+  }
+  @container (max-width: 830px) {
     :host([brief]) .play {
       padding: 0 0.5rem 0 0.3rem;
     }
