@@ -298,7 +298,12 @@ const appStyle = css`
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --room: min(100dvh - 3.25rem, max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
+      --least-room: calc(90vw + ${zoomButtons} + var(--dock));
+      --room: clamp(
+        var(--least-room),
+        100dvh - 3.25rem,
+        max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock)
+      );
     }
   }
   /* A phone on its side: the picture is as high as the screen, and beside it, below the controls, is the text or the panels. */
