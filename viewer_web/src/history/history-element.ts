@@ -59,7 +59,7 @@ export class HistoryElement extends LitElement {
     const { entries } = history;
     const [first, end] = shownAround(this.centre, entries.length);
     return html`
-      ${this.head(history)}
+      ${this.why(history)} ${this.head(history)}
       <div
         class="entries"
         aria-busy=${history.complete ? 'false' : 'true'}
@@ -153,14 +153,15 @@ export class HistoryElement extends LitElement {
         >
         <span class="step number">${step}</span>
       </button>
-      ${painter && this.view.columns === null ? this.why(entry, history) : nothing}
     </li>`;
   }
 
-  private why(entry: Entry, history: History): TemplateResult {
-    return html`<p class="why">
-      ${statement(history.why(entry, this.view.language, this.view.step))}
-    </p>`;
+  /** Why the pixel has its colour, before what concerned it. */
+  private why(history: History): TemplateResult | typeof nothing {
+    const { painter } = history;
+    const { columns, language, step } = this.view;
+    if (painter === null || columns !== null) return nothing;
+    return html`<p class="why">${statement(history.why(painter, language, step))}</p>`;
   }
 
   private sign({ outcome, event, under }: Entry): unknown {

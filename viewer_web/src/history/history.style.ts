@@ -128,7 +128,9 @@ export const historyStyle = css`
     color: var(--bad);
   }
   .why {
-    margin: 0.1rem 0.75rem 0.5rem;
+    flex: none;
+    margin: 0.6rem 0.75rem 0;
+    font-size: 0.8125rem;
     padding: 0.45rem 0.6rem;
     border-left: 3px solid var(--accent);
     border-radius: 0 5px 5px 0;

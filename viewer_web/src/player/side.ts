@@ -1,4 +1,4 @@
-import { LitElement, css, html, nothing, svg } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { StatePart } from '../algorithm/shows.js';
@@ -19,15 +19,9 @@ import '../predict/predict-element.js';
 import type { Predictor } from '../predict/predictor.js';
 import type { Trace } from '../replay/trace.js';
 import type { SignMaps } from '../run/sign-maps.js';
-import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import '../time/bookmarks-element.js';
 import type { BookmarksElement } from '../time/bookmarks-element.js';
-
-/** An icon of indented lines, for the outline. */
-const tree = html`<svg viewBox="0 0 20 16" aria-hidden="true">
-  ${svg`<path d="M2 3h11M6 8h11M10 13h7" />`}
-</svg>`;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the right answer to a decision, and so on. */
 @customElement('vidno-side')
@@ -48,8 +42,8 @@ export class SideElement extends LitElement {
         display: flex;
         flex: none;
         flex-wrap: wrap;
-        justify-content: space-between;
-        padding: 0.15rem 0.1rem 0;
+        gap: 0 0.15rem;
+        padding: 0.15rem 0.25rem 0;
         border-bottom: 1px solid var(--line);
         /* A part of the panel and, on a phone, the dock. */
         scroll-margin-bottom: 20rem;
@@ -59,7 +53,7 @@ export class SideElement extends LitElement {
       }
       button {
         min-height: 1.9rem;
-        padding: 0.1rem 0.16rem 0;
+        padding: 0.1rem 0.3rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -80,36 +74,6 @@ export class SideElement extends LitElement {
       }
       .opened button {
         width: 1.9rem;
-      }
-      .asides {
-        display: flex;
-      }
-      /* At least as large as a target should be. */
-      .asides .outline {
-        min-width: 1.55rem;
-        padding-inline: 0;
-      }
-      .predict span {
-        display: inline-block;
-        width: 1.3rem;
-        border: 2px solid currentColor;
-        border-radius: 50%;
-        line-height: 1.05rem;
-      }
-      .outline svg {
-        width: 1.1rem;
-        height: 0.9rem;
-        fill: none;
-        stroke: currentColor;
-        stroke-width: 2;
-        stroke-linecap: round;
-        vertical-align: -0.15em;
-      }
-      .bookmarks svg {
-        width: 9px;
-        height: 14px;
-        fill: currentColor;
-        vertical-align: -0.15em;
       }
       @media print {
         .choice {
@@ -174,11 +138,8 @@ export class SideElement extends LitElement {
         ${this.button('exact', name('exact'))}
         ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
         ${this.edited === null ? nothing : this.editor(this.edited)}
-        <div class="asides">
-          ${this.button('outline', name('outline'), tree)}
-          ${this.button('predict', name('predict'), html`<span>Q</span>`)}
-          ${this.button('bookmarks', `${name('bookmarks')}: ${this.bookmarks.length}`, this.count())}
-        </div>
+        ${this.button('outline', name('outline'))} ${this.button('predict', name('predict'))}
+        ${this.button('bookmarks', name('bookmarks'), this.count(name('bookmarks')))}
       </div>
       ${this.panel()}
     `;
@@ -199,9 +160,9 @@ export class SideElement extends LitElement {
     this.dispatchEvent(new CustomEvent('side', { detail }));
   }
 
-  private count(): TemplateResult {
-    return html`<svg viewBox="0 0 9 14" aria-hidden="true">${svg`<path d=${flag(14)} />`}</svg>
-      ${this.bookmarks.length}`;
+  private count(name: string): TemplateResult {
+    const { length } = this.bookmarks;
+    return html`${name}${length === 0 ? nothing : html` <span class="number">${length}</span>`}`;
   }
 
   /** The open panel; the state replaces one that the run does not have. */
@@ -290,7 +251,7 @@ export class SideElement extends LitElement {
     return html`<button
       class=${side}
       aria-pressed=${side === this.shown ? 'true' : 'false'}
-      aria-label=${label === shown ? nothing : label}
+      aria-label=${typeof shown === 'string' ? nothing : `${label}: ${this.bookmarks.length}`}
       title=${key === undefined ? label : withKey(label, key)}
       @click=${() => this.choose(side)}
     >
