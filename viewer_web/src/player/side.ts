@@ -39,10 +39,10 @@ export class SideElement extends LitElement {
         min-height: 0;
       }
       .choice {
+        container-type: inline-size;
         display: flex;
         flex: none;
         flex-wrap: wrap;
-        gap: 0 0.15rem;
         padding: 0.15rem 0.25rem 0;
         border-bottom: 1px solid var(--line);
         /* A part of the panel and, on a phone, the dock. */
@@ -53,7 +53,7 @@ export class SideElement extends LitElement {
       }
       button {
         min-height: 1.9rem;
-        padding: 0.1rem 0.3rem 0;
+        padding: 0.1rem 0.375rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -66,6 +66,24 @@ export class SideElement extends LitElement {
       button[aria-pressed='true'] {
         border-color: var(--accent);
         color: var(--ink);
+      }
+      /* Every word in one row, or in two low ones, so that the panel keeps its height. */
+      @container (max-width: 36rem) {
+        button {
+          min-height: 1.6rem;
+          padding-inline: 0.225rem;
+          font-size: 0.75rem;
+          font-weight: 400;
+        }
+        .number {
+          display: none;
+        }
+      }
+      @container (max-width: 23rem) {
+        button {
+          padding-inline: 0.15rem;
+          font-size: 0.6875rem;
+        }
       }
       .opened {
         align-items: center;
