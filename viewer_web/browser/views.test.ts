@@ -76,6 +76,20 @@ describe('the first screen', () => {
     },
   );
 
+  it.each(languages)('shows the whole verdict at every size, in %s', async (language) => {
+    const { page } = await openReader(browser, `#lang=${language}&lesson=first`);
+    await page.keyboard.press('End');
+    await page.locator('.verdict').waitFor();
+    for (const [width, height] of sizes) {
+      await page.setViewportSize({ width, height });
+      await settled(page);
+      const hidden = await page
+        .locator('vidno-player .sentence')
+        .evaluate((sentence) => sentence.scrollHeight - sentence.clientHeight);
+      expect(hidden, `${width} x ${height}`).toBe(0);
+    }
+  });
+
   it('shows the result of the run, with a verdict, and plays it from the start', async () => {
     const { page, faults } = await openReader(browser, '#lang=en');
     const { step, length } = await shown(page);
@@ -283,8 +297,7 @@ describe('the scene', () => {
     ];
     for (const part of parts) {
       const box = await page.locator(part).boundingBox();
-      // Three rows of the state, below tabs that take two rows.
-      expect(box?.height, part).toBeGreaterThan(110);
+      expect(box?.height, part).toBeGreaterThan(130);
       expect(box?.width, part).toBeGreaterThan(250);
       expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThan(900);
     }
