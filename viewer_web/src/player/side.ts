@@ -43,7 +43,7 @@ export class SideElement extends LitElement {
         display: flex;
         flex: none;
         flex-wrap: wrap;
-        padding: 0.15rem 0.25rem 0;
+        padding: 0.15rem 0.15rem 0;
         border-bottom: 1px solid var(--line);
         /* A part of the panel and, on a phone, the dock. */
         scroll-margin-bottom: 20rem;
@@ -52,6 +52,7 @@ export class SideElement extends LitElement {
         display: none;
       }
       button {
+        min-width: 1.5rem;
         min-height: 1.9rem;
         padding: 0.1rem 0.375rem 0;
         border: 0;
