@@ -50,7 +50,6 @@ import type { Keeper } from '../predict/keeper.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
-import type { Trace } from '../replay/trace.js';
 import type { Values } from '../replay/values.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Command, TravelElement } from '../time/travel.js';
@@ -434,7 +433,7 @@ const playerStyle = css`
       gap: 0.5rem;
     }
     .sentence:is(.long, .longest, :has(.verdict, .exactly)) {
-      font-size: 0.75rem;
+      font-size: 0.8125rem;
       line-height: 1.15;
     }
     .sentence .at {
@@ -457,6 +456,9 @@ const playerStyle = css`
     .sentence {
       height: 4.4rem;
     }
+    .sentence:is(.long, .longest, :has(.verdict, .exactly)) {
+      font-size: 0.75rem;
+    }
   }
   @container (max-width: 350px) {
     .sentence {
@@ -468,10 +470,17 @@ const playerStyle = css`
       position: static;
     }
   }
-  /* The controls stay at the lower edge of the screen, and the panels are next to the picture. */
+  /* The form says how to draw. */
+  .stage.drawing .dock {
+    position: static;
+  }
+  /*
+   * The controls stay at the lower edge of the screen, and the panels are next to the picture. While a question is asked, the
+   * picture stays too, and both would leave it no room.
+   */
   @media (min-height: 600px) {
     @container (max-width: 703px) {
-      :host(:not([front='text'])) .stage {
+      :host(:not([front='text'], [asking])) .stage {
         grid-template-areas: 'picture' 'beside' 'dock';
         grid-template-rows:
           clamp(
@@ -838,13 +847,15 @@ export class PlayerElement extends StageElement {
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
     const verdict = verdictOn(trace, view, this.exact, check);
+    const greeting = this.welcome ? welcomeOn(trace, view, this.exact) : null;
+    const said = greeting ?? `${verdict ?? ''} ${this.welcome ? '' : view.sentence}`;
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     // The finished picture alone, before anyone asks for a step.
     const pictured = this.welcome ? withoutStep(view) : view;
     return html`
       ${this.source.remark(this.language)}
       <div
-        class="stage"
+        class="stage ${this.edited?.drawn ? 'drawing' : ''}"
         @pointerover=${this.pointing.onOver}
         @pointerleave=${this.pointing.onLeave}
       >
@@ -852,11 +863,11 @@ export class PlayerElement extends StageElement {
           ${this.announcer.render()}
           <div class="said">
             <p
-              class="sentence ${lengthOf(`${verdict ?? ''} ${view.sentence}`)}"
+              class="sentence ${lengthOf(said)}"
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
-              ${this.said(trace, view, verdict)}
+              ${greeting === null ? this.said(view, verdict) : html`<span class="welcome">${greeting}</span>`}
             </p>
             ${this.presenter.corner(view)}
           </div>
@@ -964,9 +975,7 @@ export class PlayerElement extends StageElement {
   }
 
   /** The line of the listing, and what happens there. At the end of the run, the result comes first. */
-  private said(trace: Trace, view: View, verdict: string | null): TemplateResult {
-    const greeting = this.welcome ? welcomeOn(trace, view, this.exact) : null;
-    if (greeting !== null) return html`<span class="welcome">${greeting}</span>`;
+  private said(view: View, verdict: string | null): TemplateResult {
     return html`<span class="at">${view.event?.at ?? '·'}</span>
       <span class="heard">: </span>
       <span
