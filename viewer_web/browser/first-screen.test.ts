@@ -11,7 +11,7 @@ const sizes = [
   [640, 360], // 1280 x 720, enlarged to 200 %
 ] as const;
 
-/** Which of these parts are not wholly on the screen, or do not show all of their text. */
+/** Which of these parts are not wholly on the screen, are covered, or do not show all of their text. */
 const hidden = (page: Page, parts: readonly string[]): Promise<readonly string[]> =>
   Promise.all(
     parts.map(async (part) => {
@@ -21,7 +21,10 @@ const hidden = (page: Page, parts: readonly string[]): Promise<readonly string[]
         .evaluate((each) => {
           const { left, top, right, bottom, width } = each.getBoundingClientRect();
           const isIn = left >= 0 && top >= 0 && right <= innerWidth + 0.5 && bottom <= innerHeight;
-          return width > 0 && isIn && each.scrollHeight <= each.clientHeight + 1;
+          const root = each.getRootNode() as ShadowRoot;
+          const onTop = root.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+          const isSeen = each.contains(onTop);
+          return width > 0 && isIn && isSeen && each.scrollHeight <= each.clientHeight + 1;
         });
       return isShown ? [] : [part];
     }),

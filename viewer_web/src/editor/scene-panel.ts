@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { showsOfEdited } from '../algorithm/shows.js';
 import { withKey } from '../base/key-map.js';
-import { base } from '../elements/theme.js';
+import { base, lowScreen } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import { whyRefused } from '../run/refusal.js';
@@ -27,7 +27,12 @@ const scenePanelStyle = css`
     flex-wrap: wrap;
     gap: 0.3rem;
     padding: 0.5rem 0.75rem 0;
-    scroll-margin-bottom: 13rem; /* the dock */
+    scroll-margin-bottom: 17.5rem; /* the dock */
+  }
+  @media ${lowScreen} {
+    .tools {
+      scroll-margin-bottom: 0;
+    }
   }
   .tools button {
     padding: 0 0.55rem;
