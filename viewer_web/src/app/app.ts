@@ -298,7 +298,7 @@ const appStyle = css`
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --least-room: calc(100vw + var(--dock));
+      --least-room: calc(min(100vw, 26rem) + var(--dock));
       --room: clamp(
         var(--least-room),
         100dvh - 3.25rem,
