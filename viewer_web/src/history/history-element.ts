@@ -10,6 +10,7 @@ import type { View } from '../algorithm/view.js';
 import { liveKey } from '../base/key-map.js';
 import { polygonName, swatch } from '../elements/parts.js';
 import { statement } from '../elements/statement.js';
+import { sentencesOf } from '../language/stated.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
@@ -161,7 +162,11 @@ export class HistoryElement extends LitElement {
     const { painter } = history;
     const { columns, language, step } = this.view;
     if (painter === null || columns !== null) return nothing;
-    return html`<p class="why">${statement(history.why(painter, language, step))}</p>`;
+    // At the steps before it was painted it says so in more words, which have their room from the start.
+    const longest = sentencesOf(history.why(painter, language, 0)).join(' ');
+    return html`<p class="why" data-longest=${longest}>
+      <span>${statement(history.why(painter, language, step))}</span>
+    </p>`;
   }
 
   private sign({ outcome, event, under }: Entry): unknown {
