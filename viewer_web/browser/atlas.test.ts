@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import type { AppElement } from '../src/app/app.js';
 import { browser } from './browser.js';
 import { edit, rerun } from './live.js';
-import { goTo, open, openContents, openFile, shown } from './page.js';
+import { goTo, open, openFile, shown } from './page.js';
 
 const folder = new URL('../../lessons/failures/', import.meta.url);
 const text = (file: string): string => readFileSync(new URL(file, folder), 'utf8');
@@ -44,8 +44,7 @@ function entryOf(name: string): Stated {
 }
 
 async function openGallery(page: Page): Promise<void> {
-  await openContents(page);
-  await page.locator('button.atlas').click();
+  await page.locator('vidno-page-header button.atlas').click();
   await page.locator('vidno-gallery dialog[open]').waitFor();
 }
 

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
 import { openScene } from './live.js';
-import { goTo, open, openContents, shown } from './page.js';
+import { goTo, open, shown } from './page.js';
 
 const waves = readFileSync(
   new URL('../../lessons/surfaces/waves-and-pit.json', import.meta.url),
@@ -105,7 +105,7 @@ describe('a surface that the page runs', () => {
 
   it('can be started from nothing, and is part of a link', async () => {
     const { page, faults } = await open(browser, '#lang=en');
-    await openContents(page);
+    await page.getByRole('button', { name: 'Your own scene' }).click();
     await page.getByRole('button', { name: 'A surface y = f(x, z)' }).click();
     await page.locator('vidno-surface-form').waitFor();
     await page.waitForFunction(() => location.hash.includes('scene='));

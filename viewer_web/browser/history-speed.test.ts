@@ -14,7 +14,7 @@ const watch = (page: Page): Promise<void> =>
       player?.shadowRoot
         ?.querySelector('vidno-side')
         ?.shadowRoot?.querySelector('vidno-history')
-        ?.shadowRoot?.querySelector('.entries[aria-busy=false] .why');
+        ?.shadowRoot?.querySelector('.why ~ .entries[aria-busy=false]');
     const onClick = (): void => {
       const start = performance.now();
       const look = (): void => {

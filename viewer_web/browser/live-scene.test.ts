@@ -64,7 +64,7 @@ describe('a scene', () => {
     expect(faults).toEqual([]);
   });
 
-  it('whose run is too long offers a shorter one', async () => {
+  it('whose run is too long offers a shorter one, and the scene for the program', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const vertices = (z: number): unknown => [
       [0, z, z],
@@ -72,9 +72,14 @@ describe('a scene', () => {
       [1, 499, -z],
     ];
     const two = [0, 0.5].map((z, i) => ({ ...triangle, id: `T${i}`, vertices: vertices(z) }));
-    await openFile(page, 'large.json', scene(two, 512));
+    await openScene(page, scene(two, 512));
     const notice = page.locator('vidno-notice p').first();
     await expect.poll(() => notice.innerText()).toContain('The run is longer than 1,000,000 steps');
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('vidno-notice').getByRole('button', { name: 'Save the scene' }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe('two.json');
     await page.getByRole('button', { name: 'detail “windows”' }).click();
     await notice.waitFor({ state: 'detached' });
     expect(faults).toEqual([]);

@@ -164,9 +164,9 @@ describe('a polygon', () => {
     expect(drawn.polygons[2]).toEqual({
       id: 'C',
       vertices: [
-        [3, 1, 0],
-        [7, 1, 0],
-        [7, 5, 0],
+        [3, 1, 0.75], // in front of A, whose nearest vertex has depth 0.5
+        [7, 1, 0.75],
+        [7, 5, 0.75],
       ],
     });
   });
@@ -182,9 +182,9 @@ describe('a polygon', () => {
     await page.keyboard.press('Space');
     const drawn = await rerun(page, () => page.keyboard.press('Enter'));
     expect(drawn.polygons[2]?.vertices).toEqual([
-      [4, 4, 0],
-      [5, 4, 0],
-      [5, 5, 0],
+      [4, 4, 0.75],
+      [5, 4, 0.75],
+      [5, 5, 0.75],
     ]);
   });
 

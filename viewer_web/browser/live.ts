@@ -1,5 +1,6 @@
 import type { Browser, Page } from 'playwright-core';
 import { open, openFile, showsAnother } from './page.js';
+import type { AppElement } from '../src/app/app.js';
 import type { Shape } from '../src/picture/shapes.js';
 import type { Opened } from './page.js';
 
@@ -39,7 +40,7 @@ export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Ru
   return run(page);
 }
 
-/** Opens a scene and waits for its run. The page may still be opening another one. */
+/** Opens a scene and waits for its run with every decision. The page may still be opening another one. */
 export async function openScene(page: Page, text: string): Promise<Run> {
   const { name } = JSON.parse(text) as { readonly name: string };
   await showsAnother(page, () => openFile(page, 'scene.json', text));
@@ -47,7 +48,12 @@ export async function openScene(page: Page, text: string): Promise<Run> {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
     return player?.trace?.header.scene.name === wanted;
   }, name);
-  return run(page);
+  return rerun(page, () =>
+    page.evaluate(() => {
+      const app = document.querySelector<AppElement>('vidno-app');
+      app?.session.live.act({ do: 'options', options: { detail: 'signs' } });
+    }),
+  );
 }
 
 /** Opens the scene's panel by its key. */

@@ -51,8 +51,8 @@ describe('on paper', () => {
   it('has no offer of the tour in a lesson', async () => {
     const { page } = await open(browser, '#lang=en');
     await page.emulateMedia({ media: 'print' });
-    await page.locator('.offer').waitFor({ state: 'attached' });
-    expect(await page.locator('.offer').isVisible()).toBe(false);
+    await page.locator('.greeting').waitFor({ state: 'attached' });
+    expect(await page.locator('.greeting').isVisible()).toBe(false);
   });
 
   it('says how many rows of a long list do not fit on the sheet', async () => {

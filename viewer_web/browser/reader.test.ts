@@ -168,6 +168,7 @@ describe('the text of a lesson', () => {
   it('states below its title the time, what comes first, its terms and its goals', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     const frame = page.getByRole('region', { name: 'About this lesson' });
+    await page.locator('details.about summary').click();
     const facts = await frame.locator('dd').allInnerTexts();
     expect(facts.map((text) => text.replaceAll(/\s+/g, ' ').trim())).toEqual([
       '25 minutes, without the exercises',
@@ -238,7 +239,7 @@ describe('the text of a lesson', () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first&follow=off');
     const answer = page.locator('.answer');
     expect(await answer.isVisible()).toBe(false);
-    await page.locator('summary').focus();
+    await page.locator('details:not(.about) summary').focus();
     await page.keyboard.press('Space');
     await answer.waitFor();
     await page.keyboard.press('Enter');
@@ -281,7 +282,7 @@ describe('the text of a lesson', () => {
     const viewport = { width, height: 844 };
     const { page } = await openReader(browser, '#lang=ru', { viewport });
     await pin(page, 'first').click();
-    await page.locator('summary').click();
+    await page.locator('details:not(.about) summary').click();
     expect(await violations(page)).toEqual([]);
   });
 });

@@ -72,7 +72,8 @@ export async function openReader(
     viewport: { width: 1440, height: 900 },
     ...options,
   });
-  await opened.page.locator('vidno-listing').waitFor();
+  // On a phone the text may lie in front of it.
+  await opened.page.locator('vidno-listing').waitFor({ state: 'attached' });
   // A picture that loads later scrolls the text back to its previous position.
   await opened.page.locator('vidno-reader img').evaluateAll(async (all) => {
     await Promise.all(all.map((image) => (image as HTMLImageElement).decode()));

@@ -45,7 +45,10 @@ function look(page: Page): Promise<Found> {
 async function isSound(page: Page, width: number, when: string): Promise<void> {
   const { sides, out, cut } = await look(page);
   expect(sides, when).toHaveLength(1);
-  expect(Math.min(...sides), when).toBeGreaterThanOrEqual(least);
+  // On a low screen the picture is as high as the screen without the header and its own footer.
+  const { height } = page.viewportSize() ?? { height: 0 };
+  const isLow = height < 400 && width > 560;
+  expect(Math.min(...sides), when).toBeGreaterThanOrEqual(isLow ? 0.75 * height : least);
   expect({ out, cut }, when).toEqual({ out: [], cut: [] });
   expect(await widthOf(page), when).toBe(width);
 }
@@ -127,7 +130,7 @@ async function contents(page: Page): Promise<void> {
   expect(await seen(page, 'vidno-lesson-list', 'nav')).toBeGreaterThan(
     Math.min(0.5 * text, all - 1),
   );
-  expect(await height(page, '.own-surface:not(.atlas)')).toBeLessThan(48);
+  expect(await height(page, 'nav .again')).toBeLessThan(48);
   await page.locator('vidno-page-header button.contents').click();
 }
 
@@ -148,7 +151,10 @@ describe('at every size the picture is large, nothing sticks out and nothing is 
     const { page, faults } = await openReader(browser, address, { viewport });
     await isSound(page, width, 'beside the text');
     await besides[`${width} x ${height}`]?.(page);
-    await page.getByRole('button', { name: /^(Text|Текст)/ }).click();
+    await page
+      .locator('vidno-page-header')
+      .getByRole('button', { name: /^(Text|Текст)/ })
+      .click();
     await page.locator('vidno-reader').waitFor({ state: 'hidden' });
     await isSound(page, width, 'alone');
     // A browser without a graphics card reports that.

@@ -49,6 +49,8 @@ export interface Pictured {
 export interface Shows {
   /** The panel of its state, whole or reduced to some of its parts. */
   readonly state: (view: View, parts: readonly StatePart[] | null) => TemplateResult;
+  /** The parts of the panel that have something to show. */
+  readonly holds: (view: View) => readonly StatePart[];
   /** The picture with its layer control; their classes are `drawing` and `layers`. */
   readonly picture: (pictured: Pictured) => TemplateResult;
   /** The marks on the picture that the legend explains, and the icons of those that only this algorithm has. */

@@ -2,7 +2,6 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { keyMap } from '../base/key-map.js';
-import { memory } from '../base/memory.js';
 import type { StatePart } from '../algorithm/shows.js';
 import type { PageView } from '../base/setting.js';
 import { plain } from '../base/setting.js';
@@ -23,7 +22,7 @@ import '../elements/file-drop.js';
 import '../elements/languages.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
-import { base, leastPanel, tokens, zoomButtons } from '../elements/theme.js';
+import { base, leastPanel, lowScreen, tokens, zoomButtons } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { languages, preferredLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
@@ -32,7 +31,7 @@ import { embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
 import { sceneTitle } from '../lessons/run-name.js';
-import type { PlayerElement } from '../player/player.js';
+import type { Front, PlayerElement } from '../player/player.js';
 import { namesNothing, parseAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import '../solid/solid-element.js';
@@ -44,15 +43,16 @@ import { Messages } from './messages.js';
 import { Navigation } from './navigation.js';
 import type { PlaceInFile } from './navigation.js';
 import './page-header.js';
-import type { Asked } from './page-header.js';
+import type { Asked, Menu } from './page-header.js';
 import './player.js';
 import { Reading } from './reading.js';
 import { learningSystemOf } from './scorm.js';
 import { Session } from './session.js';
 import { share } from './sharing.js';
 import './tour.js';
-import { atlas, failing } from './failing.js';
-import { alone, besides, ownSurface } from './stage.js';
+import { failing } from './failing.js';
+import { own } from './own.js';
+import { alone, besides } from './stage.js';
 import type { Shown } from './stage.js';
 
 /** The header; below it the text, if there is one, and the run; over these, on demand, the lessons. */
@@ -130,12 +130,12 @@ const appStyle = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
-  .offer {
+  .greeting {
     margin: 1rem 1.25rem -0.5rem;
     color: var(--soft);
     font-size: 0.875rem;
   }
-  .offer a {
+  .greeting a {
     color: var(--accent);
   }
   .on-paper {
@@ -174,8 +174,13 @@ const appStyle = css`
     background: var(--panel);
     box-shadow: 0 8px 32px rgb(10 12 18 / 30%);
   }
-  :host([contents]) nav {
+  :host([menu]) nav {
     display: flex;
+  }
+  /* Below the button that opens it. */
+  :host([menu='own']) nav {
+    right: var(--pad);
+    left: auto;
   }
   nav > * {
     flex: none;
@@ -187,6 +192,14 @@ const appStyle = css`
   vidno-lesson-list {
     border: 0;
     padding: 0;
+  }
+  :host([menu='lessons']:not([empty])) .own,
+  :host([menu='own']:not([empty])) nav > :not(.own) {
+    display: none;
+  }
+  .own {
+    display: grid;
+    gap: 0.6rem;
   }
   :host([comparing]) nav {
     display: none;
@@ -244,17 +257,13 @@ const appStyle = css`
       gap: 0.4rem 0;
     }
     :host([reading][view='workbench']) {
-      --dock: 16.6rem;
+      --dock: 18.7rem;
     }
-    /* As high as the picture and the dock; the panels are below, and the page scrolls to them. */
-    :host([reading]) main {
-      height: var(--room);
-      overflow: auto;
+    :host([reading][front='run']) vidno-reader {
+      display: none;
     }
     :host([reading]) main:has(> vidno-player[asking]) {
       --room: 0px;
-      height: auto;
-      overflow: visible;
     }
     :host([reading]) :is(vidno-page-header, vidno-languages, vidno-notice) {
       padding-inline: 0.6rem;
@@ -276,10 +285,62 @@ const appStyle = css`
       --name-inset: 0.6rem;
     }
   }
+  /* The panels are beside the picture, and the text is below both. */
+  @media (min-width: 704px) and (max-width: 899px) {
+    :host([reading]) main:not(:has(> vidno-player[asking])) {
+      height: var(--room);
+      overflow: auto;
+    }
+    :host([reading][front='run']) vidno-reader {
+      display: flex;
+    }
+  }
   /* On an upright phone the picture has the full width, and the page scrolls to the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
-      --room: calc(max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock));
+      --least-room: calc(min(100vw, 26rem) + var(--dock));
+      --room: clamp(
+        var(--least-room),
+        100dvh - 3.25rem,
+        max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock)
+      );
+    }
+  }
+  /* A phone on its side: the picture is as high as the screen, and beside it, below the controls, is the text or the panels. */
+  @media ${lowScreen} {
+    :host(:is([view], [reading])) {
+      --pad: 0px;
+      --gap: 0.4rem;
+      --dock: 11.2rem;
+      --room: calc(100dvh - 2.75rem);
+      gap: 0;
+      height: auto;
+      min-height: 100dvh;
+      grid-template: 'header' minmax(2.75rem, auto) 'main' auto / minmax(0, 1fr);
+    }
+    :host(:is([view], [reading])) main {
+      height: auto;
+      overflow: visible;
+    }
+    :host([embed][view]) {
+      --room: 100dvh;
+      grid-template: 'main' auto / minmax(0, 1fr);
+    }
+    :host([reading]) .fold {
+      display: none;
+    }
+    :host([reading]) vidno-reader {
+      display: flex;
+      grid-area: main;
+      align-self: start;
+      justify-self: end;
+      width: calc(100% - var(--room) - var(--gap));
+      height: calc(var(--room) - var(--dock) - var(--gap));
+      margin-top: calc(var(--dock) + var(--gap));
+      contain: size;
+    }
+    :host([reading][front='run']) vidno-reader {
+      display: none;
     }
   }
   /* Two pictures and their sentences fit on one screen. */
@@ -305,7 +366,15 @@ const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice, vidno-tour, .offer) {
+    :is(
+      vidno-page-header,
+      vidno-languages,
+      vidno-divider,
+      nav,
+      vidno-notice,
+      vidno-tour,
+      .greeting
+    ) {
       display: none;
     }
     main {
@@ -363,10 +432,11 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-gallery') private gallery!: GalleryElement;
   @query('vidno-discard') readonly discard!: DiscardElement;
 
-  @state() private isAtContents = false;
+  @state() private menu: Menu | null = null;
+  /** What is in front on a screen that has no room for both the text and the panels. */
+  @state() front: Front = 'text';
   isFirst = false;
-  /** Whether the tour is offered, which happens once, and whether it is running. */
-  @state() private isOffered = false;
+  /** Whether the tour is running. */
   @state() private isToured = false;
   /** Whether the page is looking for what the address names. */
   @state() private isOpening = false;
@@ -416,22 +486,19 @@ export class AppElement extends LitElement implements Shown, Told {
     this.isOpening = true;
     const isTour = location.hash === tourAddress;
     this.isFirst = namesNothing(address);
-    if (this.isFirst && !setup.setting.embed && memory.get('tour') === null) {
-      memory.set('tour', 'offered');
-      this.isOffered = true;
-    }
+    this.front = 'text';
     void this.reading.follow({ ...address, rival: beside }, this.ways.isUnsaved).finally(() => {
       this.isOpening = false;
       if (isTour) this.showAround();
     });
   }
 
-  /** The lessons cover the page and close when the reader turns to anything else. */
+  /** A menu covers the page and closes when the reader turns to anything else. */
   private readonly onElsewhere = (event: Event): void => {
     const isThere = event
       .composedPath()
       .some((each) => each instanceof Element && each.matches('nav, vidno-page-header'));
-    if (!isThere) this.isAtContents = false;
+    if (!isThere) this.closeMenu();
   };
 
   /** Passes keys that were pressed outside the player on to it. */
@@ -443,8 +510,8 @@ export class AppElement extends LitElement implements Shown, Told {
       this.session.live.handleKey(event)
     )
       return;
-    if (event.key === 'Escape' && this.isAtContents) {
-      this.isAtContents = false;
+    if (event.key === 'Escape' && this.menu !== null) {
+      this.closeMenu();
       event.preventDefault();
       return;
     }
@@ -481,25 +548,26 @@ export class AppElement extends LitElement implements Shown, Told {
     return this.reading.story?.shows ?? noParts;
   }
 
+  /** A panel that the reader opens is in front. */
   turned(): void {
+    if (this.player.side !== 'state' || this.player.isEdited) this.front = 'run';
     this.requestUpdate();
   }
 
-  offer(): TemplateResult | typeof nothing {
-    if (!this.isOffered) return nothing;
+  greeting(): TemplateResult | typeof nothing {
+    if (!this.isFirst) return nothing;
     const { tour } = texts[this.setup.language];
     const onClick = (event: Event): void => {
       event.preventDefault();
       this.showAround();
     };
-    return html`<p class="offer">
+    return html`<p class="greeting">
       ${tour.about} <a href=${tourAddress} @click=${onClick}>${tour.offer}</a>
     </p>`;
   }
 
   private showAround(): void {
-    this.isOffered = false;
-    this.isAtContents = false;
+    this.closeMenu();
     this.change({ view: 'lesson', reader: true });
     this.isToured = true;
   }
@@ -523,13 +591,17 @@ export class AppElement extends LitElement implements Shown, Told {
     ></vidno-tour>`;
   }
 
-  turnToContents(isOpen: boolean): void {
-    this.isAtContents = isOpen && !this.isAtContents;
+  closeMenu(): void {
+    this.menu = null;
+  }
+
+  private turnTo(menu: Menu): void {
+    this.menu = this.menu === menu ? null : menu;
   }
 
   private openFiles(files: readonly File[]): void {
     this.ways.leave();
-    this.turnToContents(false);
+    this.closeMenu();
     void this.session.openFiles(files, this.closeText);
   }
 
@@ -567,7 +639,13 @@ export class AppElement extends LitElement implements Shown, Told {
         this.stage.focusPlay();
         return;
       case 'contents':
-        this.turnToContents(true);
+        this.turnTo('lessons');
+        return;
+      case 'own':
+        this.turnTo('own');
+        return;
+      case 'atlas':
+        void this.gallery.show();
         return;
       case 'keys':
         this.stage.showKeys();
@@ -642,11 +720,12 @@ export class AppElement extends LitElement implements Shown, Told {
     this.toggleAttribute('comparing', isCompared);
     this.toggleAttribute('reading', this.isReading);
     this.setAttribute('view', this.view);
+    this.setAttribute('front', this.front);
     const isEmpty = trace === null && !session.isOpening;
-    const isAtContents = this.isAtContents || isEmpty;
-    this.toggleAttribute('contents', isAtContents);
+    const { menu } = this;
+    if (menu === null && !isEmpty) this.removeAttribute('menu');
+    else this.setAttribute('menu', menu ?? 'lessons');
     this.toggleAttribute('empty', isEmpty);
-    const page = texts[language].page;
     return html`
       <vidno-page-header
         ?inert=${presenting}
@@ -658,7 +737,8 @@ export class AppElement extends LitElement implements Shown, Told {
         ?reading=${this.isReading}
         view=${this.view}
         .editing=${live.editing === null ? null : this.isEdited}
-        ?contents=${isAtContents}
+        .menu=${menu ?? (isEmpty ? 'lessons' : null)}
+        ?atlas=${session.canRun && document.getElementById('vidno-atlas') !== null}
         .keys=${this.setup.setting.keys}
         @ask=${({ detail }: CustomEvent<Asked>) => this.ask(detail)}
         >${heading(session, this.name, language)}</vidno-page-header
@@ -677,13 +757,12 @@ export class AppElement extends LitElement implements Shown, Told {
       ></vidno-languages>
       <nav ?inert=${presenting}>
         ${contents(this)}
-        <vidno-file-drop
-          .texts=${page}
-          @files=${({ detail }: CustomEvent<readonly File[]>) => this.ways.replace(() => this.openFiles(detail))}
-        ></vidno-file-drop>
-        ${atlas(session, language, () => void this.gallery.show())}
-        ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
-        ${this.isReading ? html`<button @click=${() => this.showAround()}>${texts[language].tour.again}</button>` : nothing}
+        ${this.isReading ? html`<button class="again" @click=${() => this.showAround()}>${texts[language].tour.again}</button>` : nothing}
+        ${own(session.canRun, language, {
+          draw: () => void this.ways.replace(() => this.draw()),
+          surface: (name) => void this.ways.replace(() => this.openSurface(name)),
+          files: (files) => void this.ways.replace(() => this.openFiles(files)),
+        })}
       </nav>
       <vidno-rival-choice
         .language=${language}
@@ -716,9 +795,19 @@ export class AppElement extends LitElement implements Shown, Told {
 
   private openSurface(name: string): void {
     this.ways.leave();
-    this.turnToContents(false);
+    this.closeMenu();
     this.session.openSurface(name, this.closeText);
     this.player.isEdited = true;
+  }
+
+  /** An empty scene, in which the first polygon is being drawn. */
+  private draw(): void {
+    this.ways.leave();
+    this.closeMenu();
+    this.session.openEmpty(() => {
+      this.closeText();
+      this.player.isEdited = true;
+    });
   }
 
   /** A run of a lesson is named after its trace, a failure after its effect. */

@@ -20,10 +20,9 @@ export interface Told {
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   readonly ways: Navigation;
-  /** Opens or closes the lessons. */
-  turnToContents(isOpen: boolean): void;
-  /** The offer of the tour, made once. */
-  offer(): unknown;
+  closeMenu(): void;
+  /** What the page is, for a reader who opens it without an address. */
+  greeting(): unknown;
 }
 
 /** The lessons, and the headings of the current text. */
@@ -38,11 +37,11 @@ export function contents(page: Told): TemplateResult {
     .story=${reading.story?.story[language] ?? null}
     .heading=${reading.reached.heading}
     @choose=${({ detail }: CustomEvent<LessonTrace>) => {
-      page.turnToContents(false);
+      page.closeMenu();
       void page.ways.replace(() => reading.choose(detail));
     }}
     @visit=${({ detail }: CustomEvent<string>) => reading.visit(detail)}
-    @leave=${() => page.turnToContents(false)}
+    @leave=${() => page.closeMenu()}
     @follow=${({ detail }: CustomEvent<boolean>) => {
       page.change({ follows: detail });
       if (detail) void page.ways.replace(() => reading.go(reading.reached.pin));
@@ -73,6 +72,6 @@ export function reader(page: Told): TemplateResult {
       .next=${reading.neighbour(1)}
       @read=${({ detail }: CustomEvent<Read>) => reading.reach(detail, detail.isScrolled && setup.follows)}
       @pin=${({ detail }: CustomEvent<string>) => page.ways.replace(() => reading.go(detail))}
-      >${page.offer()}</vidno-reader
+      >${page.greeting()}</vidno-reader
     >`;
 }

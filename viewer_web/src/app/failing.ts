@@ -1,9 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import '../atlas/failure-note.js';
-import { texts } from '../i18n/index.js';
-import type { Language } from '../language/language.js';
-import type { Session } from './session.js';
 import type { Shown } from './stage.js';
 
 /** The note on the open failure. */
@@ -25,16 +22,4 @@ export function failing({ session, setup, ways }: Shown): TemplateResult | typeo
     }}
     @forget=${() => session.forgetFailure()}
   ></vidno-failure-note>`;
-}
-
-/** The button for the atlas, if the page contains one. */
-export function atlas(
-  { canRun }: Session,
-  language: Language,
-  open: () => void,
-): TemplateResult | typeof nothing {
-  if (!canRun || document.getElementById('vidno-atlas') === null) return nothing;
-  return html`<button class="own-surface atlas" @click=${open}>
-    ${texts[language].atlas.open}
-  </button>`;
 }

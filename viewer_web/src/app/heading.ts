@@ -30,6 +30,7 @@ export function notices(session: Session, language: Language): TemplateResult {
     () => session.stop(),
     go,
     () => session.coarsen(),
+    () => session.live.save(),
   )}
   ${session.lacks === null ? nothing : noticeOf(session.lacks, language, () => undefined)}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
@@ -47,6 +48,7 @@ function noticeOf(
   stop: () => void,
   go: ((event: CustomEvent<number>) => void) | null = null,
   coarsen: (() => void) | null = null,
+  save: (() => void) | null = null,
 ): TemplateResult {
   return html`<vidno-notice
     class=${notice?.kind ?? nothing}
@@ -56,5 +58,6 @@ function noticeOf(
     @stop=${stop}
     @go=${go}
     @coarsen=${coarsen}
+    @save=${save}
   ></vidno-notice>`;
 }

@@ -8,17 +8,30 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 
-/** What the header's buttons ask for; all but the first three are toggles. */
+/** What the header's buttons ask for. */
 export type Asked =
-  'skip' | 'contents' | 'keys' | 'text' | 'workbench' | 'edit' | 'compare' | 'present';
+  | 'skip'
+  | 'contents'
+  | 'own'
+  | 'atlas'
+  | 'keys'
+  | 'text'
+  | 'workbench'
+  | 'edit'
+  | 'compare'
+  | 'present';
 
-/** A button of the header: its request, its label, its key, whether it is pressed, and whether it is disabled. */
+/** What can be chosen from, over the page: the lessons, or the ways to a scene of the reader's own. */
+export type Menu = 'lessons' | 'own';
+
+/** A button of the header: its request, its label, its key, whether it is pressed or has opened a menu, and whether it is disabled. */
 interface Tool {
   readonly ask: Asked;
   readonly label: string;
   readonly hint?: string;
   readonly key?: string;
   readonly isOn?: boolean;
+  readonly isExpanded?: boolean;
   readonly off?: boolean;
 }
 
@@ -67,9 +80,20 @@ export class PageHeaderElement extends LitElement {
         }
         button {
           padding: 0 0.4rem;
+          font-size: 0.875rem;
         }
         .tools {
           gap: 0;
+        }
+      }
+      /* There is no room for a name. */
+      @media (min-width: 900px) and (max-width: 999px) {
+        slot {
+          visibility: hidden;
+        }
+        button {
+          padding: 0 0.2rem;
+          font-size: 0.8125rem;
         }
       }
       /* On a small screen the rarely used tools are hidden in a line of their own. */
@@ -81,6 +105,7 @@ export class PageHeaderElement extends LitElement {
         }
         button {
           padding: 0 0.5rem;
+          font-size: 0.9375rem;
         }
         h1 {
           line-height: 2.75rem;
@@ -108,6 +133,14 @@ export class PageHeaderElement extends LitElement {
       @media (max-width: 389px) {
         h1 {
           margin-right: min(100% - 5rem, 100% * (var(--languages) - 1));
+          font-size: 1.125rem;
+        }
+        header {
+          gap: 0 0.2rem;
+        }
+        button {
+          padding: 0 0.25rem;
+          font-size: 0.875rem;
         }
         .more {
           margin-right: max(0rem, 5rem * (2 - var(--languages)));
@@ -128,8 +161,10 @@ export class PageHeaderElement extends LitElement {
   @property() view: PageView = 'lesson';
   /** Whether the scene is being edited; null where it cannot be. */
   @property({ attribute: false }) editing: boolean | null = null;
-  /** Whether the lessons are open. */
-  @property({ type: Boolean }) contents = false;
+  /** The open menu. */
+  @property({ attribute: false }) menu: Menu | null = null;
+  /** Whether the page has the atlas. */
+  @property({ type: Boolean }) atlas = false;
   /** The key assignments, as written in an address. */
   @property({ attribute: false }) keys = '';
   /** Whether the tools are shown where there is no room for them. */
@@ -140,17 +175,20 @@ export class PageHeaderElement extends LitElement {
     return html`<header>
       ${this.button({ ask: 'skip', label: page.skip })}
       <h1>vidno</h1>
-      ${this.button({ ask: 'contents', label: page.lessons, off: this.comparing }, this.contents)}
+      ${this.button({
+        ask: 'contents',
+        label: page.lessons,
+        isExpanded: this.menu === 'lessons',
+        off: this.comparing,
+      })}
       ${this.text()}
       <slot></slot>
       <button
         class="more"
         aria-expanded=${this.more ? 'true' : 'false'}
-        aria-label=${page.tools}
-        title=${page.tools}
         @click=${() => (this.more = !this.more)}
       >
-        ☰
+        ${page.menu}
       </button>
       <div class="tools ${this.more ? 'open' : ''}">
         ${this.tools().map((each) => this.button(each))}
@@ -171,9 +209,18 @@ export class PageHeaderElement extends LitElement {
   }
 
   private tools(): readonly Tool[] {
-    const { page, compare, scene } = texts[this.language];
+    const { page, compare, scene, atlas } = texts[this.language];
     const { open, editing, comparing } = this;
+    const own: Tool = {
+      ask: 'own',
+      label: page.own,
+      hint: page.ownHint,
+      isExpanded: this.menu === 'own',
+      off: comparing,
+    };
     return [
+      own,
+      ...(this.atlas ? [{ ask: 'atlas', label: atlas.short, hint: atlas.title } as const] : []),
       {
         ask: 'workbench',
         label: page.workbench,
@@ -196,16 +243,13 @@ export class PageHeaderElement extends LitElement {
     ];
   }
 
-  private button(
-    { ask, label, hint, key, isOn, off = false }: Tool,
-    isExpanded: boolean | null = null,
-  ): TemplateResult {
+  private button({ ask, label, hint, key, isOn, isExpanded, off = false }: Tool): TemplateResult {
     const said = hint ?? label;
     const pressed = isOn === undefined ? nothing : isOn ? 'true' : 'false';
     return html`<button
       class=${ask}
       aria-pressed=${pressed}
-      aria-expanded=${isExpanded === null ? nothing : isExpanded ? 'true' : 'false'}
+      aria-expanded=${isExpanded ?? nothing}
       title=${key === undefined ? said : withKey(said, key)}
       ?disabled=${off}
       @click=${() => this.dispatchEvent(new CustomEvent<Asked>('ask', { detail: ask }))}

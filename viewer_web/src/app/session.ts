@@ -16,13 +16,14 @@ import type { Trace } from '../replay/trace.js';
 import type { Margin } from '../exactness/margin.js';
 import { Checks } from '../run/checks.js';
 import { Margins } from '../run/margins.js';
+import { emptySketch, sceneText } from '../run/sketch.js';
 import type { Spot } from '../run/sketch.js';
 import { ExactPicture } from '../run/exact.js';
 import { Promised, embeddedLibrary, moduleOf } from '../run/maker.js';
 import { meshRequest } from '../run/mesh.js';
 import { noticeOf, noticeOfRun } from '../run/notice.js';
 import type { Lacks, Notice } from '../run/notice.js';
-import { usual } from '../run/options.js';
+import { brief } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import { optionsOf, unpacked, wordOf } from '../run/packed.js';
 import { failureIn } from '../run/failures.js';
@@ -253,7 +254,7 @@ export class Session implements ReactiveController {
     }
     const losses = messages.split('\n').filter((loss) => loss !== '');
     const lacks = losses.length === 0 ? null : ({ kind: 'lacks', name, losses } as const);
-    this.openScene(made, name, usual, beginning, { arrive, lacks });
+    this.openScene(made, name, brief, beginning, { arrive, lacks });
   }
 
   /** Opens an entry of the page's atlas by its name in the address. */
@@ -316,13 +317,21 @@ export class Session implements ReactiveController {
     if (wanted.rival === remedy && rival.word !== remedy) rival.choose(remedyOf(failure));
   }
 
+  /** Opens a scene without polygons, and begins to draw one. */
+  openEmpty(arrive: () => void): void {
+    this.openOwn(sceneText(emptySketch), '', () => {
+      arrive();
+      queueMicrotask(() => this.live.act({ do: 'draw' }));
+    });
+  }
+
   /** Opens a surface, chosen by the page, that is given by a function. */
   openSurface(name: string, arrive: () => void): void {
     this.openOwn(surfaceText(firstSurface(name)), name, arrive);
   }
 
   private openOwn(text: string, name: string, arrive: () => void): void {
-    const options: Options = isSurface(text) ? { ...usual, method: 'floating-horizon' } : usual;
+    const options: Options = isSurface(text) ? { ...brief, method: 'floating-horizon' } : brief;
     this.openScene(text, name, options, beginning, { arrive });
   }
 

@@ -64,13 +64,19 @@ export async function addressOf(page: Shared, own: Own | null = null): Promise<s
   return written(page, await session.live.carried(), own === null ? session.lesson : idOf(own.run));
 }
 
-/** Copies the address of what is shown. Where an address cannot hold it, saves a page that contains it. */
+/**
+ * Copies the address of what is shown. Where an address cannot hold it, says so if the reader expects a link, and otherwise saves
+ * a page that contains it.
+ */
 export async function share(page: Shared): Promise<void> {
-  const own = await ownOf(page.session);
+  const { session } = page;
+  const own = await ownOf(session);
   if (own === null && !isOnDisk()) {
     const address = new URL(await addressOf(page), location.href);
     await navigator.clipboard.writeText(address.href);
-    page.session.live.tell('copied');
+    session.live.tell('copied');
+  } else if (own !== null && session.isLinked && session.live.link !== 'tooLong' && !isOnDisk()) {
+    session.live.tell('tooLong');
   } else await savePage(page, own);
 }
 

@@ -1,4 +1,4 @@
-import { html, nothing } from 'lit';
+import { html } from 'lit';
 import type { TemplateResult } from 'lit';
 import type { StatePart } from '../algorithm/shows.js';
 import type { PageView, Way } from '../base/setting.js';
@@ -7,12 +7,12 @@ import type { Act } from '../editor/editor.js';
 import { speedFor } from '../elements/clock.js';
 import { texts } from '../i18n/index.js';
 import type { Check } from '../exactness/truth.js';
-import type { Language } from '../language/language.js';
 import { nameIn } from '../language/scene-name.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import '../player/player.js';
+import type { Front } from '../player/player.js';
 import { isComparedUnasked } from '../player/verdict.js';
 import type { Keeper } from '../predict/keeper.js';
 import type { Setup } from '../reader/address.js';
@@ -36,6 +36,8 @@ export interface Shown {
   readonly isFirst: boolean;
   /** The parts of the state that the lesson asks for. */
   readonly parts: readonly StatePart[];
+  /** What is in front on a screen that has no room for both the text and the panels. */
+  front: Front;
   /** Called when another panel is opened beside the run. */
   turned(): void;
   change(part: Partial<Setup>): void;
@@ -100,7 +102,10 @@ export function alone(page: Shown): TemplateResult {
       ?presenting=${presenting && trace !== null}
       layout=${page.view}
       ?beside=${page.isReading}
+      .front=${page.isReading ? page.front : null}
+      @vidno-front=${({ detail }: CustomEvent<Front>) => (page.front = detail)}
       .parts=${page.parts}
+      ?welcome=${page.isFirst}
       ?linked=${session.isLinked}
       .layer=${layer}
       .exact=${exactOf(page)}
@@ -213,17 +218,4 @@ function noteOf({ session, setup }: Shown): string {
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
   const name = rival.trace?.header.scene.name ?? '';
   return name === trace?.header.scene.name ? '' : nameIn(setup.language, name);
-}
-
-/** The button for a surface of the reader's own, if the page can run scenes. */
-export function ownSurface(
-  { canRun }: Session,
-  language: Language,
-  open: (name: string) => void,
-): TemplateResult | typeof nothing {
-  if (!canRun) return nothing;
-  const { surface } = texts[language].curves;
-  return html`<button class="own-surface" @click=${() => open(surface.name)}>
-    ${surface.own}
-  </button>`;
 }

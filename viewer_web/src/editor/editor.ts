@@ -4,10 +4,13 @@ import type { Header, Scene } from '../trace/header.js';
 import type { Trace } from '../replay/trace.js';
 import { runnable, usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
-import { addPolygon, emptySketch } from '../run/sketch.js';
-import type { Sketch, Spot, Vertex } from '../run/sketch.js';
+import { drawPolygon, emptySketch } from '../run/sketch.js';
+import type { Sketch, Spot } from '../run/sketch.js';
 import { Tracer } from '../run/tracer.js';
 import { Undo } from './undo.js';
+
+/** A vertex of a polygon that is being drawn, which has no depth yet. */
+export type Corner = readonly [x: number, y: number];
 
 /** The state of the editor; each change makes a new one. */
 export interface Editing {
@@ -18,7 +21,7 @@ export interface Editing {
   /** The vertex that was touched last. */
   readonly chosen: Spot | null;
   /** The corners so far of a polygon that is being drawn. */
-  readonly drawn: readonly Vertex[] | null;
+  readonly drawn: readonly Corner[] | null;
   /** The messages of the library about the scene: why it was refused, or what it changed. */
   readonly messages: string;
   readonly refused: boolean;
@@ -33,7 +36,7 @@ export type Act =
       readonly name?: string;
     }
   | { readonly do: 'settle' | 'undo' | 'redo' | 'draw' | 'finish' | 'cancel' | 'unpoint' | 'new' }
-  | { readonly do: 'point'; readonly at: readonly [x: number, y: number] }
+  | { readonly do: 'point'; readonly at: Corner }
   | { readonly do: 'choose'; readonly spot: Spot | null }
   | { readonly do: 'options'; readonly options: Partial<Options> };
 
@@ -56,7 +59,7 @@ export class Editor {
   private undo = new Undo<Sketch>(emptySketch);
   private options = usual;
   private chosen: Spot | null = null;
-  private drawn: readonly Vertex[] | null = null;
+  private drawn: readonly Corner[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
   /** A scene file to run with these options. The sketch is to adopt the library's version of it. */
   private adopts: { readonly file: string; readonly options: Options } | null = null;
@@ -168,7 +171,7 @@ export class Editor {
         this.drawn = drawn?.slice(0, -1) ?? null;
         break;
       case 'point':
-        this.drawn = [...(drawn ?? []), [...act.at, 0]];
+        this.drawn = [...(drawn ?? []), act.at];
         break;
       case 'finish':
         this.finish();
@@ -184,7 +187,7 @@ export class Editor {
   private finish(): void {
     const { drawn, undo } = this;
     if (drawn === null || drawn.length < 3) return;
-    undo.change(addPolygon(undo.value, drawn));
+    undo.change(drawPolygon(undo.value, drawn));
     this.chosen = { polygon: undo.value.polygons.length - 1, vertex: 0 };
     this.drawn = null;
   }

@@ -14,7 +14,7 @@ export interface Carried {
 }
 
 /** The result of a request for a link. */
-export type LinkMade = 'copied' | 'saved';
+export type LinkMade = 'copied' | 'saved' | 'tooLong';
 
 const isSame = (one: Editing, other: Editing): boolean =>
   one.sketch === other.sketch && one.options === other.options;

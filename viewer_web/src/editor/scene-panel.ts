@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { showsOfEdited } from '../algorithm/shows.js';
 import { withKey } from '../base/key-map.js';
-import { base } from '../elements/theme.js';
+import { base, lowScreen } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import { whyRefused } from '../run/refusal.js';
@@ -27,6 +27,12 @@ const scenePanelStyle = css`
     flex-wrap: wrap;
     gap: 0.3rem;
     padding: 0.5rem 0.75rem 0;
+    scroll-margin-bottom: 17.5rem; /* the dock */
+  }
+  @media ${lowScreen} {
+    .tools {
+      scroll-margin-bottom: 0;
+    }
   }
   .tools button {
     padding: 0 0.55rem;
@@ -98,6 +104,12 @@ export class ScenePanelElement extends FormElement {
     `;
   }
 
+  /** On a small screen it is below the picture. */
+  async bringIntoSight(): Promise<void> {
+    await this.updateComplete;
+    this.renderRoot.querySelector('.tools')?.scrollIntoView({ block: 'nearest' });
+  }
+
   private tools(): TemplateResult {
     const { say, editing } = this;
     return html`<div class="tools" role="group">
@@ -132,8 +144,8 @@ export class ScenePanelElement extends FormElement {
   }
 
   private sharing(): TemplateResult {
-    const { say, linked } = this;
-    const isLink = linked && !isOnDisk();
+    const { say, linked, link } = this;
+    const isLink = linked && link !== 'tooLong' && !isOnDisk();
     return html`<button
       title=${isLink ? say.linkHint : say.pageHint}
       @click=${() => ask(this, 'vidno-link')}
@@ -171,11 +183,18 @@ export class ScenePanelElement extends FormElement {
 
   private news(link: LinkMade | null, messages: string): string {
     const { say, editing } = this;
-    if (link !== null) return link === 'copied' ? say.linkCopied : say.pageSaved;
+    const said = { copied: say.linkCopied, saved: say.pageSaved, tooLong: say.linkTooLong };
+    if (link !== null) return said[link];
     if (editing.drawn !== null) return say.drawing;
     if (messages !== '') return messages;
     return reachesOut(editing.sketch)
       ? say.howOutside
       : showsOfEdited(editing).how(texts[this.language]);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-scene-panel': ScenePanelElement;
   }
 }

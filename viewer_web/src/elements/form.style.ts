@@ -103,6 +103,25 @@ export const formStyle = css`
     padding: 0;
     line-height: 1;
   }
+  .depth {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 0.5rem;
+    align-items: center;
+    margin: 0.3rem 0 0;
+  }
+  .depth label {
+    display: flex;
+    gap: 0.4rem;
+    align-items: center;
+  }
+  .depth input {
+    width: 6rem;
+    font-family: var(--mono);
+  }
+  .depth button {
+    padding: 0 0.5rem;
+  }
   table {
     width: 100%;
     margin: 0.3rem 0 0.2rem;

@@ -223,5 +223,8 @@ export const leastPanel = css`calc(20rem + 2px)`;
 /** A screen of this height has room for all controls of a lesson below a picture that fills the width of a phone. */
 export const tallScreen = css`740px`;
 
+/** A screen so low, as that of a phone on its side, that the controls stand beside the picture. */
+export const lowScreen = css`(max-height: 479px) and (min-width: 560px)`;
+
 /** The height of the controls that a lower screen leaves out. */
 export const moreControls = css`5.2rem`;

@@ -43,6 +43,7 @@ defineShows(['floating-horizon'], {
       ?hall=${view.hall}
       parts=${parts?.join(' ') ?? nothing}
     ></vidno-horizon>`,
+  holds: () => ['curve', 'side-edges', 'horizons'],
   legend: curveEntries,
   icon: (entry) => (isCurveEntry(entry) ? curveIcon(entry) : null),
   picture: (of) => {

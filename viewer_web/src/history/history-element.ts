@@ -10,6 +10,7 @@ import type { View } from '../algorithm/view.js';
 import { liveKey } from '../base/key-map.js';
 import { polygonName, swatch } from '../elements/parts.js';
 import { statement } from '../elements/statement.js';
+import { sentencesOf } from '../language/stated.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
@@ -59,7 +60,7 @@ export class HistoryElement extends LitElement {
     const { entries } = history;
     const [first, end] = shownAround(this.centre, entries.length);
     return html`
-      ${this.head(history)}
+      ${this.why(history)} ${this.head(history)}
       <div
         class="entries"
         aria-busy=${history.complete ? 'false' : 'true'}
@@ -153,13 +154,18 @@ export class HistoryElement extends LitElement {
         >
         <span class="step number">${step}</span>
       </button>
-      ${painter && this.view.columns === null ? this.why(entry, history) : nothing}
     </li>`;
   }
 
-  private why(entry: Entry, history: History): TemplateResult {
-    return html`<p class="why">
-      ${statement(history.why(entry, this.view.language, this.view.step))}
+  /** Why the pixel has its colour, before what concerned it. */
+  private why(history: History): TemplateResult | typeof nothing {
+    const { painter } = history;
+    const { columns, language, step } = this.view;
+    if (painter === null || columns !== null) return nothing;
+    // At the steps before it was painted it says so in more words, which have their room from the start.
+    const longest = sentencesOf(history.why(painter, language, 0)).join(' ');
+    return html`<p class="why" data-longest=${longest}>
+      <span>${statement(history.why(painter, language, step))}</span>
     </p>`;
   }
 

@@ -128,11 +128,22 @@ export const historyStyle = css`
     color: var(--bad);
   }
   .why {
-    margin: 0.1rem 0.75rem 0.5rem;
+    display: grid;
+    flex: none;
+    margin: 0.6rem 0.75rem 0;
+    font-size: 0.8125rem;
     padding: 0.45rem 0.6rem;
     border-left: 3px solid var(--accent);
     border-radius: 0 5px 5px 0;
     background: var(--accent-wash);
+  }
+  .why > span,
+  .why::after {
+    grid-area: 1 / 1;
+  }
+  .why::after {
+    content: attr(data-longest);
+    visibility: hidden;
   }
   .more {
     margin: 0.5rem 0.75rem;

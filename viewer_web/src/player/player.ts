@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import { showsOf } from '../algorithm/shows.js';
 import type { StatePart } from '../algorithm/shows.js';
 import { withKey } from '../base/key-map.js';
 import type { PageView } from '../base/setting.js';
@@ -25,6 +26,7 @@ import {
   hiddenStyle,
   leastPanel,
   leastPicture,
+  lowScreen,
   moreControls,
   tallScreen,
   tokens,
@@ -48,6 +50,7 @@ import type { Keeper } from '../predict/keeper.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
+import type { Values } from '../replay/values.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Command, TravelElement } from '../time/travel.js';
 import './picture-panel.js';
@@ -60,7 +63,7 @@ import './side.js';
 import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
-import { verdictOn } from './verdict.js';
+import { verdictOn, welcomeOn } from './verdict.js';
 
 /** Whether only the scene was changed: the form and the handles show that, and the rest waits for the run. */
 function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
@@ -68,6 +71,9 @@ function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
     changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
   );
 }
+
+/** What is in front where there is room for one: the text of a lesson, or the panels of the run. */
+export type Front = 'text' | 'run';
 
 /**
  * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room
@@ -256,6 +262,24 @@ const playerStyle = css`
     border-color: var(--accent);
     color: var(--accent);
   }
+  .fronts {
+    display: none;
+    grid-column: 1 / -1;
+    gap: 0.25rem;
+  }
+  .fronts button {
+    flex: 1;
+    overflow: hidden;
+    color: var(--soft);
+    font-size: 0.8125rem;
+    font-weight: 600;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .fronts button[aria-pressed='true'] {
+    border-color: var(--accent);
+    color: var(--accent);
+  }
   .sentence .at {
     flex: none;
     min-width: 3.4rem;
@@ -353,16 +377,16 @@ const playerStyle = css`
       contain: content;
     }
     /* The requested panel comes first. Panels that grow from step to step scroll their content. */
-    .beside:has(> .side:not(.state)) {
+    .beside:not(:has(> .scene)):has(> .side:not(.state)) {
       grid-template-areas: 'side' 'listing';
       grid-template-rows: minmax(20rem, auto) 19rem;
     }
-    .beside:has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
+    .beside:not(:has(> .scene)):has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
       grid-template-rows: 22rem 19rem;
     }
     .beside:has(> .scene),
     .beside:has(> .scene):not(:has(> .side)) {
-      grid-template: 'scene' minmax(20rem, auto) 'side' auto 'listing' 19rem / minmax(0, 1fr);
+      grid-template: 'scene' 22rem 'side' auto 'listing' 19rem / minmax(0, 1fr);
       height: auto;
       overflow: visible;
     }
@@ -378,6 +402,14 @@ const playerStyle = css`
         display: var(--more-controls, flex);
         grid-area: 3 / 1 / auto / -1;
         margin: 0;
+      }
+    }
+    @media (max-width: 899px) {
+      :host([front='text']) .beside {
+        display: none;
+      }
+      :host([front]) .fronts {
+        display: flex;
       }
     }
     /* A question may be answered in the picture, too. */
@@ -400,8 +432,8 @@ const playerStyle = css`
       line-height: 1.2;
       gap: 0.5rem;
     }
-    .sentence:has(.verdict, .exactly) {
-      font-size: 0.75rem;
+    .sentence:is(.long, .longest, :has(.verdict, .exactly)) {
+      font-size: 0.8125rem;
       line-height: 1.15;
     }
     .sentence .at {
@@ -421,13 +453,101 @@ const playerStyle = css`
     :host([layout='workbench']) .stage {
       --usual-dock: 16.6rem;
     }
-    :host([layout='workbench']) .sentence {
+    .sentence {
       height: 4.4rem;
+    }
+    .sentence:is(.long, .longest, :has(.verdict, .exactly)) {
+      font-size: 0.75rem;
+    }
+  }
+  @container (max-width: 350px) {
+    .sentence {
+      height: 5.4rem;
     }
   }
   @media (max-height: 599px) {
     .dock {
       position: static;
+    }
+  }
+  /* The form says how to draw. */
+  .stage.drawing .dock {
+    position: static;
+  }
+  /*
+   * The controls stay at the lower edge of the screen, and the panels are next to the picture. While a question is asked, the
+   * picture stays too, and both would leave it no room.
+   */
+  @media (min-height: 600px) {
+    @container (max-width: 703px) {
+      :host(:not([front='text'], [asking])) .stage {
+        grid-template-areas: 'picture' 'beside' 'dock';
+        grid-template-rows:
+          clamp(
+            ${leastPanel},
+            var(--room, 100dvh - 3.25rem - var(--pad, 0px)) - var(--dock, var(--usual-dock)),
+            100cqw + var(--above, 0px) + var(--feet, var(--foot, 2.25rem))
+          )
+          auto auto;
+      }
+    }
+  }
+  @media ${lowScreen} {
+    :host(:not([src]):not([presenting])) .stage {
+      flex: none;
+      min-height: var(--room);
+      grid-template:
+        'picture dock' auto
+        'picture beside' minmax(var(--rest, 9rem), 1fr) / var(--room) minmax(0, 1fr);
+    }
+    :host([layout='lesson']:not([src]):not([presenting])) .stage {
+      height: var(--room);
+      --rest: 0px;
+    }
+    :host(:not([src]):not([presenting])) .picture {
+      height: var(--room);
+      min-height: 0;
+      --least-picture: 0px;
+    }
+    :host(:not([src]):not([presenting])) .beside {
+      display: grid;
+      grid-template: 'side' 100% 'listing' 14rem / minmax(0, 1fr);
+      gap: var(--gap);
+      margin: 0;
+      overflow: auto;
+      contain: size;
+    }
+    :host(:not([src]):not([presenting])) .beside:not(:has(> :is(.side:not(.state), .scene))) {
+      grid-template: 'listing' minmax(7rem, 1fr) 'side' auto / minmax(0, 1fr);
+    }
+    :host(:not([src]):not([presenting])) .beside:has(> .scene) {
+      grid-template: 'scene' 100% 'side' auto 'listing' 14rem / minmax(0, 1fr);
+    }
+    :host(:not([src]):not([presenting])) .beside > section {
+      contain: content;
+    }
+    :host(:not([src]):not([presenting])) .dock {
+      position: static;
+      align-content: start;
+      margin: 0 0 var(--gap) var(--gap);
+      padding: 0.3rem 0.6rem 0.4rem;
+      container-type: inline-size;
+    }
+    :host(:not([src]):not([presenting])[front='text']) .dock {
+      height: var(--dock);
+    }
+    :host(:not([src]):not([presenting])) .beside {
+      margin-left: var(--gap);
+    }
+    :host(:not([src]):not([presenting])) vidno-divider,
+    :host(:not([src]):not([presenting])) .asides {
+      display: none;
+    }
+    :host([front='text']) .beside {
+      visibility: hidden;
+    }
+    :host([front]) .fronts {
+      display: flex;
     }
   }
   /* One sheet of A4: the sentence, the picture beside the state, and the listing. */
@@ -564,9 +684,16 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) keeper: Keeper | null = null;
   /** Whether a text is beside the player, which leaves room for two columns. */
   @property({ type: Boolean, reflect: true }) beside = false;
+  /**
+   * What is shown beside a text on a screen without room for both: that text, or the panels of the run. An event `vidno-front`
+   * asks to change it.
+   */
+  @property({ reflect: true }) front: Front | null = null;
   /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
+  /** Whether the reader sees this page for the first time, at the end of a run: its result comes first, in common words. */
+  @property({ type: Boolean }) welcome = false;
   /** The query of the outline's search, and the steps found. */
   @state() private sought = '';
   @state() private hits: readonly number[] = [];
@@ -615,6 +742,7 @@ export class PlayerElement extends StageElement {
     this.predictor.follow();
     super.willUpdate(changed);
     if (changed.has('trace')) this.hits = [];
+    if (this.trace !== null && this.step < this.length) this.welcome = false;
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
@@ -637,6 +765,10 @@ export class PlayerElement extends StageElement {
     if (changed.has('side') || changed.has('isEdited')) {
       this.dispatchEvent(new CustomEvent('vidno-side'));
     }
+    const isTurned = changed.has('side') || changed.has('front') || changed.has('isEdited');
+    if (isTurned && this.isEdited) {
+      void this.renderRoot.querySelector('vidno-scene-panel')?.bringIntoSight();
+    } else if (isTurned && this.side === 'pixel') void this.panel.bringIntoSight();
   }
 
   protected override actions(event: KeyboardEvent): Actions {
@@ -715,11 +847,15 @@ export class PlayerElement extends StageElement {
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
     const verdict = verdictOn(trace, view, this.exact, check);
+    const greeting = this.welcome ? welcomeOn(trace, view, this.exact) : null;
+    const said = greeting ?? `${verdict ?? ''} ${this.welcome ? '' : view.sentence}`;
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
+    // The finished picture alone, before anyone asks for a step.
+    const pictured = this.welcome ? withoutStep(view) : view;
     return html`
       ${this.source.remark(this.language)}
       <div
-        class="stage"
+        class="stage ${this.edited?.drawn ? 'drawing' : ''}"
         @pointerover=${this.pointing.onOver}
         @pointerleave=${this.pointing.onLeave}
       >
@@ -727,16 +863,11 @@ export class PlayerElement extends StageElement {
           ${this.announcer.render()}
           <div class="said">
             <p
-              class="sentence ${lengthOf(`${verdict ?? ''} ${view.sentence}`)}"
+              class="sentence ${lengthOf(said)}"
               aria-live=${this.clock.playing ? 'off' : 'polite'}
               aria-atomic="true"
             >
-              <span class="at">${view.event?.at ?? '·'}</span>
-              <span class="heard">: </span>
-              <span
-                >${verdict === null ? nothing : html`<strong class="verdict">${verdict}</strong>`}
-                ${statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
-              >
+              ${greeting === null ? this.said(view, verdict) : html`<span class="welcome">${greeting}</span>`}
             </p>
             ${this.presenter.corner(view)}
           </div>
@@ -746,11 +877,11 @@ export class PlayerElement extends StageElement {
             veiled,
             hits: this.hits,
           })}
-          ${this.asides(view)}
+          ${this.asides(view)} ${this.fronts(view)}
         </div>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
-            .view=${view}
+            .view=${pictured}
             .editing=${this.edited}
             .layer=${layer}
             .exact=${this.exact}
@@ -773,7 +904,7 @@ export class PlayerElement extends StageElement {
             ></vidno-listing>
           </section>
           ${this.edited === null ? nothing : this.editor(this.edited, view)}
-          ${isShown('side', this.layout, this.side, this.partsAsked?.length !== 0) ? this.sidePanel(view, check, history, veiled) : nothing}
+          ${isShown('side', this.layout, this.side, this.presenting || this.hasState(view)) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
@@ -786,6 +917,17 @@ export class PlayerElement extends StageElement {
     `;
   }
 
+  /**
+   * Whether a lesson has a state to show. At the ends of a run, where nothing follows it from step to step, an empty one takes
+   * no room.
+   */
+  private hasState(view: View): boolean {
+    const { parts, first, last } = this;
+    const isAtEnd = view.step === first || view.step === last;
+    const held = showsOf(view).holds(view);
+    return isAtEnd ? parts.some((part) => held.includes(part)) : parts.length > 0;
+  }
+
   /** The panels about a step in a lesson, which has no choice between panels. */
   private asides(view: View): TemplateResult | typeof nothing {
     if (!this.isFull || this.presenting || this.layout !== 'lesson') return nothing;
@@ -795,6 +937,23 @@ export class PlayerElement extends StageElement {
       'predict',
     ];
     return html`<div class="asides">${sides.map((side) => this.aside(side, view))}</div>`;
+  }
+
+  /** The choice between the text and the panels, on a screen that has no room for both. */
+  private fronts(view: View): TemplateResult | typeof nothing {
+    if (this.front === null) return nothing;
+    const { listing } = view.texts;
+    const panel = this.side === 'state' ? listing : sideName(this.side, view);
+    const button = (front: Front, name: string): TemplateResult =>
+      html`<button
+        aria-pressed=${this.front === front ? 'true' : 'false'}
+        @click=${() => this.dispatchEvent(new CustomEvent<Front>('vidno-front', { detail: front }))}
+      >
+        ${name}
+      </button>`;
+    return html`<div class="fronts" role="group">
+      ${button('text', texts[this.language].reader.text)} ${button('run', panel)}
+    </div>`;
   }
 
   private aside(side: Side, view: View): TemplateResult {
@@ -813,6 +972,16 @@ export class PlayerElement extends StageElement {
   /** The parts of the state that a lesson asks for. A hall sees all parts, since each has its place. */
   private get partsAsked(): readonly StatePart[] | null {
     return this.layout === 'lesson' && !this.presenting ? this.parts : null;
+  }
+
+  /** The line of the listing, and what happens there. At the end of the run, the result comes first. */
+  private said(view: View, verdict: string | null): TemplateResult {
+    return html`<span class="at">${view.event?.at ?? '·'}</span>
+      <span class="heard">: </span>
+      <span
+        >${verdict === null ? nothing : html`<strong class="verdict">${verdict}</strong>`}
+        ${this.welcome ? nothing : statement(view.sentence, (line) => withTerms(line, termsIn(view)))}</span
+      >`;
   }
 
   /** The scene while it is edited. */
@@ -888,9 +1057,15 @@ export class PlayerElement extends StageElement {
   }
 }
 
-/** How long a sentence is: in a hall, a long one has smaller type, so that nothing moves. */
+/** How long a sentence is: in a hall or on a phone, a long one has smaller type, so that nothing moves. */
 const lengthOf = (said: string): '' | 'long' | 'longest' =>
   said.length < 105 ? '' : said.length < 190 ? 'long' : 'longest';
+
+/** The picture of a run without the marks of a step. */
+const withoutStep = (view: View): View => {
+  const nothingHeld: Values = { step: view.step, calls: [] };
+  return { ...view, event: null, before: nothingHeld, after: nothingHeld };
+};
 
 /** The terms of a sentence. A polygon may be named like one. */
 const termsIn = ({ language, header }: View): FirstTerms =>

@@ -1,4 +1,4 @@
-import { LitElement, css, html, nothing, svg } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { StatePart } from '../algorithm/shows.js';
@@ -19,15 +19,9 @@ import '../predict/predict-element.js';
 import type { Predictor } from '../predict/predictor.js';
 import type { Trace } from '../replay/trace.js';
 import type { SignMaps } from '../run/sign-maps.js';
-import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import '../time/bookmarks-element.js';
 import type { BookmarksElement } from '../time/bookmarks-element.js';
-
-/** An icon of indented lines, for the outline. */
-const tree = html`<svg viewBox="0 0 20 16" aria-hidden="true">
-  ${svg`<path d="M2 3h11M6 8h11M10 13h7" />`}
-</svg>`;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the right answer to a decision, and so on. */
 @customElement('vidno-side')
@@ -45,11 +39,11 @@ export class SideElement extends LitElement {
         min-height: 0;
       }
       .choice {
+        container-type: inline-size;
         display: flex;
         flex: none;
         flex-wrap: wrap;
-        justify-content: space-between;
-        padding: 0.15rem 0.1rem 0;
+        padding: 0.15rem 0.15rem 0;
         border-bottom: 1px solid var(--line);
         /* A part of the panel and, on a phone, the dock. */
         scroll-margin-bottom: 20rem;
@@ -58,8 +52,9 @@ export class SideElement extends LitElement {
         display: none;
       }
       button {
+        min-width: 1.5rem;
         min-height: 1.9rem;
-        padding: 0.1rem 0.16rem 0;
+        padding: 0.1rem 0.375rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -73,6 +68,24 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
+      /* Every word in one row, or in two low ones, so that the panel keeps its height. */
+      @container (max-width: 36rem) {
+        button {
+          min-height: 1.6rem;
+          padding-inline: 0.225rem;
+          font-size: 0.75rem;
+          font-weight: 400;
+        }
+        .number {
+          display: none;
+        }
+      }
+      @container (max-width: 23rem) {
+        button {
+          padding-inline: 0.15rem;
+          font-size: 0.6875rem;
+        }
+      }
       .opened {
         align-items: center;
         justify-content: space-between;
@@ -80,36 +93,6 @@ export class SideElement extends LitElement {
       }
       .opened button {
         width: 1.9rem;
-      }
-      .asides {
-        display: flex;
-      }
-      /* At least as large as a target should be. */
-      .asides .outline {
-        min-width: 1.55rem;
-        padding-inline: 0;
-      }
-      .predict span {
-        display: inline-block;
-        width: 1.3rem;
-        border: 2px solid currentColor;
-        border-radius: 50%;
-        line-height: 1.05rem;
-      }
-      .outline svg {
-        width: 1.1rem;
-        height: 0.9rem;
-        fill: none;
-        stroke: currentColor;
-        stroke-width: 2;
-        stroke-linecap: round;
-        vertical-align: -0.15em;
-      }
-      .bookmarks svg {
-        width: 9px;
-        height: 14px;
-        fill: currentColor;
-        vertical-align: -0.15em;
       }
       @media print {
         .choice {
@@ -174,11 +157,8 @@ export class SideElement extends LitElement {
         ${this.button('exact', name('exact'))}
         ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
         ${this.edited === null ? nothing : this.editor(this.edited)}
-        <div class="asides">
-          ${this.button('outline', name('outline'), tree)}
-          ${this.button('predict', name('predict'), html`<span>Q</span>`)}
-          ${this.button('bookmarks', `${name('bookmarks')}: ${this.bookmarks.length}`, this.count())}
-        </div>
+        ${this.button('outline', name('outline'))} ${this.button('predict', name('predict'))}
+        ${this.button('bookmarks', name('bookmarks'), this.count(name('bookmarks')))}
       </div>
       ${this.panel()}
     `;
@@ -199,9 +179,9 @@ export class SideElement extends LitElement {
     this.dispatchEvent(new CustomEvent('side', { detail }));
   }
 
-  private count(): TemplateResult {
-    return html`<svg viewBox="0 0 9 14" aria-hidden="true">${svg`<path d=${flag(14)} />`}</svg>
-      ${this.bookmarks.length}`;
+  private count(name: string): TemplateResult {
+    const { length } = this.bookmarks;
+    return html`${name}${length === 0 ? nothing : html` <span class="number">${length}</span>`}`;
   }
 
   /** The open panel; the state replaces one that the run does not have. */
@@ -290,7 +270,7 @@ export class SideElement extends LitElement {
     return html`<button
       class=${side}
       aria-pressed=${side === this.shown ? 'true' : 'false'}
-      aria-label=${label === shown ? nothing : label}
+      aria-label=${typeof shown === 'string' ? nothing : `${label}: ${this.bookmarks.length}`}
       title=${key === undefined ? label : withKey(label, key)}
       @click=${() => this.choose(side)}
     >

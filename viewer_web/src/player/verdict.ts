@@ -66,6 +66,17 @@ export function verdictOn(trace: Trace, view: View, exact: Exact, check: Check):
   return `${verdict.finished}: ${parts.join('; ')}.`.replace('….', '…');
 }
 
+/** The result for a first visitor, who knows no terms; null if the picture is not known to be right. */
+export function welcomeOn(trace: Trace, view: View, exact: Exact): string | null {
+  const { header, step, length } = view;
+  const right = known(exact);
+  if (step !== length || !trace.complete || right === null || header.scene.polygons.length < 2) {
+    return null;
+  }
+  const { wrong, lacking } = differenceOf(view.screen.picture, right);
+  return wrong + lacking === 0 ? texts[view.language].verdict.welcome : null;
+}
+
 /** Whether a colour does not tell the polygon. */
 const hasSharedColors = ({ polygons, background }: Scene): boolean =>
   new Set([background, ...polygons.map(({ color }) => color)]).size <= polygons.length;

@@ -5,10 +5,10 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { cornerAct, led, snapped } from '../editor/corner-keys.js';
 import type { Place } from '../editor/corner-keys.js';
-import type { Act, Editing } from '../editor/editor.js';
+import type { Act, Corner, Editing } from '../editor/editor.js';
 import { refusalOf } from '../run/refusal.js';
 import * as sketch from '../run/sketch.js';
-import type { Spot, Vertex } from '../run/sketch.js';
+import type { Spot } from '../run/sketch.js';
 import { overlayStyle } from '../picture/picture.style.js';
 import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
@@ -187,7 +187,7 @@ export class HandlesElement extends LitElement {
   };
 
   private point(at: Place): void {
-    const drawn: readonly Vertex[] = this.editing.drawn ?? [];
+    const drawn: readonly Corner[] = this.editing.drawn ?? [];
     const [first] = drawn;
     const near = first && Math.hypot(first[0] - at[0], first[1] - at[1]) < reach / this.frame.scale;
     this.act(near && drawn.length > 2 ? { do: 'finish' } : { do: 'point', at });

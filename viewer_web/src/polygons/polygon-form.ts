@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import { customElement, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import * as sketch from '../run/sketch.js';
 import type { Sketch, Spot } from '../run/sketch.js';
@@ -13,11 +13,15 @@ import { base } from '../elements/theme.js';
 const mostPolygons = 200;
 const axes = ['x', 'y', 'z'] as const;
 type Axis = (typeof axes)[number];
+const flatAxes = ['x', 'y'] as const;
 
 /** The polygons in order, with all coordinates of the chosen one. */
 @customElement('vidno-polygon-form')
 export class PolygonFormElement extends FormElement {
   static override styles = [base, formStyle];
+
+  /** The polygons whose vertices have their depths shown on request. */
+  @state() private tilted: ReadonlySet<string> = new Set();
 
   override render(): TemplateResult {
     const { say, editing } = this;
@@ -69,7 +73,7 @@ export class PolygonFormElement extends FormElement {
         ${this.small('↓', say.later(id), i === last, (old) => sketch.reorder(old, i, 1))}
         ${this.small('✕', say.remove(id), false, (old) => sketch.removePolygon(old, i))}
       </div>
-      ${isOpen ? this.vertices(polygon, i) : nothing}
+      ${isOpen ? this.details(polygon, i) : nothing}
     </li>`;
   }
 
@@ -86,20 +90,47 @@ export class PolygonFormElement extends FormElement {
     }
   }
 
-  private vertices({ id, vertices }: Polygon, polygon: number): TemplateResult {
+  /** The depth of the polygon, and its vertices, with depths of their own only if it is tilted or is to be. */
+  private details(polygon: Polygon, i: number): TemplateResult {
+    const { say, editing } = this;
+    const depth = sketch.depthOf(editing.sketch, i);
+    if (depth === null || this.tilted.has(polygon.id)) return this.vertices(polygon, i, axes);
+    return html`<div class="depth">
+        <label
+          >${say.depth}
+          <input
+            type="number"
+            step="0.0625"
+            aria-label=${say.depthOf(polygon.id)}
+            .value=${live(String(depth))}
+            @change=${(event: Event) =>
+              this.number(event, (z) => this.edit((old) => sketch.setDepthOfAll(old, i, z)))}
+        /></label>
+        <button @click=${() => (this.tilted = new Set(this.tilted).add(polygon.id))}>
+          ${say.tilt}
+        </button>
+      </div>
+      ${this.vertices(polygon, i, flatAxes)}`;
+  }
+
+  private vertices(
+    { id, vertices }: Polygon,
+    polygon: number,
+    shown: readonly Axis[],
+  ): TemplateResult {
     const own = sketch.anchors(vertices);
     const follows = (i: number): boolean => vertices.length > 3 && own?.includes(i) === false;
     return html`<table aria-label=${this.say.cornersOf(id)}>
       <thead>
         <tr>
           <td></td>
-          ${axes.map((axis) => html`<th scope="col">${axis}</th>`)}
+          ${shown.map((axis) => html`<th scope="col">${axis}</th>`)}
           <td></td>
         </tr>
       </thead>
       <tbody>
         ${vertices.map((vertex, i) =>
-          this.vertex(vertex, { polygon, vertex: i }, follows(i), vertices.length > 3),
+          this.vertex(vertex, { polygon, vertex: i }, shown, follows(i), vertices.length > 3),
         )}
       </tbody>
     </table>`;
@@ -108,6 +139,7 @@ export class PolygonFormElement extends FormElement {
   private vertex(
     vertex: sketch.Vertex,
     spot: Spot,
+    shown: readonly Axis[],
     follows: boolean,
     mayGo: boolean,
   ): TemplateResult {
@@ -115,7 +147,7 @@ export class PolygonFormElement extends FormElement {
     const n = spot.vertex + 1;
     return html`<tr class=${editing.chosen?.vertex === spot.vertex ? 'chosen' : ''}>
       <th scope="row">${n}</th>
-      ${axes.map((axis, a) => this.coordinate(spot, axis, vertex[a] ?? 0, follows))}
+      ${shown.map((axis, a) => this.coordinate(spot, axis, vertex[a] ?? 0, follows))}
       <td class="row-tools">
         ${this.small('+', say.split(n), false, (old) => sketch.splitEdge(old, spot))}
         ${this.small('−', say.removeCorner(n), !mayGo, (old) => sketch.removeVertex(old, spot))}

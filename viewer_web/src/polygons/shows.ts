@@ -22,7 +22,7 @@ export const pixelLayers = (of: Pictured): TemplateResult =>
   ></vidno-layers>`;
 
 /** The common part of all elements for runs of polygons. */
-export const ofPolygons: Omit<Shows, 'state' | 'legend'> = {
+export const ofPolygons: Omit<Shows, 'state' | 'holds' | 'legend'> = {
   picture: (of) => {
     const { view, editing, exact } = of;
     return html`<vidno-picture

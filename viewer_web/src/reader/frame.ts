@@ -10,7 +10,7 @@ import type { Blocks, Inlines, Question, Source } from './story.js';
 import { withoutPlaces, withoutTerms } from './telling.js';
 import type { Telling } from './telling.js';
 
-/** What stands below the title: the time, what comes first, the terms and the goals of the lesson. */
+/** What stands below the title, folded to a line: the time, what comes first, the terms and the goals of the lesson. */
 export function opening(telling: Telling, language: Language): TemplateResult | typeof nothing {
   const { lesson, story, texts } = telling;
   const terms = introducedIn(story.blocks, language);
@@ -21,18 +21,23 @@ export function opening(telling: Telling, language: Language): TemplateResult | 
     ...(terms.length === 0 ? [] : [[texts.terms, termList(terms, language)] as const]),
   ];
   if (facts.length === 0 && story.goals.length === 0) return nothing;
-  return html`<section class="frame" aria-label=${texts.about}>
-    <dl>
-      ${facts.map(
-        ([name, value]) =>
-          html`<div>
-            <dt>${name}</dt>
-            <dd>${value}</dd>
-          </div>`,
-      )}
-    </dl>
-    ${story.goals.length === 0 ? nothing : goals(telling)}
-  </section>`;
+  const about = lesson.minutes === undefined ? texts.about : texts.aboutFor(lesson.minutes);
+  // What is folded stays outside, since no style can unfold it on paper in every browser.
+  return html`<details class="about">
+      <summary>${about}</summary>
+    </details>
+    <section class="frame" aria-label=${texts.about}>
+      <dl>
+        ${facts.map(
+          ([name, value]) =>
+            html`<div>
+              <dt>${name}</dt>
+              <dd>${value}</dd>
+            </div>`,
+        )}
+      </dl>
+      ${story.goals.length === 0 ? nothing : goals(telling)}
+    </section>`;
 }
 
 function goals(telling: Telling): TemplateResult {

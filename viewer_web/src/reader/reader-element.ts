@@ -122,6 +122,7 @@ const readerPrint = css`
       border-left-color: var(--line);
       break-inside: avoid;
     }
+    .about,
     .question details {
       display: none;
     }
@@ -363,6 +364,17 @@ const storyStyle = [
     }
     :is(th, td).center {
       text-align: center;
+    }
+    .about {
+      margin: -0.5rem 0 0.7rem;
+    }
+    .about[open] {
+      margin-bottom: 0.3rem;
+    }
+    @media not print {
+      .about:not([open]) + .frame {
+        display: none;
+      }
     }
     .frame {
       margin: 0 0 1.5em;

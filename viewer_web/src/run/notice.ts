@@ -80,7 +80,8 @@ const roles = {
 
 /**
  * One line about a file that is being read, was refused, or is incomplete, or about a run that lost something. An event `stop`
- * asks to stop reading or running it, `go` to go to a step, and `coarsen` to run the scene with fewer steps.
+ * asks to stop reading or running it, `go` to go to a step, `coarsen` to run the scene with fewer steps, and `save` to save
+ * the scene.
  */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
@@ -97,13 +98,20 @@ export class NoticeElement extends LitElement {
     return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
       ${this.details(notice)} ${this.stopOf(notice)}
       ${notice.kind === 'lost' && this.leads ? this.way(notice.step) : nothing}
-      ${notice.kind === 'long' && !notice.isCoarse ? this.coarser() : nothing}`;
+      ${notice.kind === 'long' ? html`${notice.isCoarse ? nothing : this.coarser()} ${this.save()}` : nothing}`;
   }
 
   /** A shorter run, which the page can make as a whole. */
   private coarser(): TemplateResult {
     return html`<button @click=${() => this.dispatchEvent(new CustomEvent('coarsen'))}>
       ${texts[this.language].page.coarsen}
+    </button>`;
+  }
+
+  /** The scene as a file, of which the program makes all steps. */
+  private save(): TemplateResult {
+    return html`<button @click=${() => this.dispatchEvent(new CustomEvent('save'))}>
+      ${texts[this.language].page.saveLong}
     </button>`;
   }
 

@@ -22,6 +22,9 @@ export const usual: Options = {
   check: false,
 };
 
+/** The settings for a first look at a scene: as few steps as possible. */
+export const brief: Options = { ...usual, detail: 'windows' };
+
 /** The named editions of a method. */
 export const editionsOf = (method: Method): readonly NamedEdition[] =>
   editions.filter((edition) => kernelsOf(method)[edition] !== undefined);

@@ -50,6 +50,29 @@ describe('a corner that is moved', () => {
   });
 });
 
+describe('a drawn polygon', () => {
+  const outline = [
+    [0, 0],
+    [2, 0],
+    [0, 2],
+  ] as const;
+
+  it('lies in front of all others', () => {
+    const drawn = sketch.drawPolygon(drawing(square, triangle), outline);
+    const [first] = drawn.polygons.at(-1)?.vertices ?? [];
+    expect(first?.[2]).toBeGreaterThan(1); // the nearest corner of the others
+    expect(verticesOf(sketch.drawPolygon(sketch.emptySketch, outline))[0]).toEqual([0, 0, 0]);
+  });
+
+  it('has one depth, which can be changed at once', () => {
+    const drawn = sketch.drawPolygon(sketch.emptySketch, outline);
+    expect(sketch.depthOf(drawn, 0)).toBe(0);
+    const far = sketch.setDepthOfAll(drawn, 0, -1.5);
+    expect(verticesOf(far)).toEqual(outline.map(([x, y]) => [x, y, -1.5]));
+    expect(sketch.depthOf(drawing(triangle), 0)).toBeNull(); // it is tilted
+  });
+});
+
 describe('a depth that is set', () => {
   it('tilts the plane, and the corners without a depth of their own follow', () => {
     // Through (0, 0, 0), (4, 0, 1/2), (4, 4, 1): z = x / 8 + y / 8, which is 1/2 at (0, 4).

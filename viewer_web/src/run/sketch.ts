@@ -114,6 +114,33 @@ export function addPolygon(sketch: Sketch, vertices: readonly Vertex[]): Sketch 
   };
 }
 
+/** Adds a polygon of one depth, in front of all others. */
+export function drawPolygon(
+  sketch: Sketch,
+  outline: readonly (readonly [x: number, y: number])[],
+): Sketch {
+  const depths = sketch.polygons.flatMap(({ vertices }) => vertices.map(([, , z]) => z));
+  const nearest = depths.reduce((most, z) => Math.max(most, z), -Infinity);
+  const z = depths.length === 0 ? 0 : (Math.floor(4 * nearest) + 1) / 4;
+  return addPolygon(
+    sketch,
+    outline.map(([x, y]) => [x, y, z]),
+  );
+}
+
+/** The depth of a polygon; null if it is tilted. */
+export function depthOf({ polygons }: Sketch, polygon: number): number | null {
+  const [first, ...others] = polygons[polygon]?.vertices.map(([, , z]) => z) ?? [];
+  return first !== undefined && others.every((z) => z === first) ? first : null;
+}
+
+/** Gives all vertices of a polygon the same depth. */
+export const setDepthOfAll = (sketch: Sketch, polygon: number, z: number): Sketch =>
+  withPolygon(sketch, polygon, (old) => ({
+    ...old,
+    vertices: old.vertices.map(([x, y]) => [x, y, z]),
+  }));
+
 /** The next colour of the palette that nothing in the scene has yet; the palette's next one if all are taken. */
 function freeColor({ polygons, background }: Sketch): string {
   const taken = new Set([background, ...polygons.map(({ color }) => color)]);

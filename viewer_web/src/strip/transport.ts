@@ -102,10 +102,23 @@ const transportStyle = css`
       clip-path: inset(50%);
     }
   }
+  .short {
+    display: none;
+  }
+  @container (max-width: 970px) {
+    .long {
+      display: none;
+    }
+    .short {
+      display: inline;
+    }
+  }
   @container (max-width: 830px) {
-    :host([brief]) .words {
-      position: absolute;
-      clip-path: inset(50%);
+    :host([brief]) .play {
+      padding: 0 0.5rem 0 0.3rem;
+    }
+    :host([brief]) {
+      grid-template-columns: auto minmax(3rem, 1fr) auto auto;
     }
   }
   @container (max-width: 620px) {
@@ -155,6 +168,9 @@ const transportStyle = css`
     }
   }
   @container (max-width: 350px) {
+    :host([brief]) {
+      grid-template-columns: auto minmax(2rem, 1fr) auto auto;
+    }
     button {
       width: 1.75rem;
     }
@@ -263,9 +279,14 @@ export class TransportElement extends LitElement {
       title=${label}
       @click=${() => this.ask({ do: 'play' })}
     >
-      ${icon(this.playing ? 'pause' : 'play')}
-      ${this.brief ? html`<span class="words">${label}</span>` : nothing}
+      ${icon(this.playing ? 'pause' : 'play')} ${this.brief ? this.playWords(label) : nothing}
     </button>`;
+  }
+
+  private playWords(label: string): TemplateResult {
+    const { play, pause } = this.view.texts;
+    return html`<span class="words long">${label}</span>
+      <span class="words short">${this.playing ? pause : play}</span>`;
   }
 
   private speedChoice(): TemplateResult {

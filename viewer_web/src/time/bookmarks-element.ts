@@ -114,6 +114,8 @@ export class BookmarksElement extends LitElement {
   @property({ type: Boolean }) linked = false;
   /** The limit that was just reached; null for none. */
   @state() private limit: keyof Pick<BookmarkTexts, 'full' | 'long'> | null = null;
+  /** The step whose note is to have the focus. */
+  private awaited: number | null = null;
   @query('.add') private addButton!: HTMLElement;
 
   private get texts(): BookmarkTexts {
@@ -125,7 +127,7 @@ export class BookmarksElement extends LitElement {
   }
 
   /** Bookmarks the current step, unless it has a bookmark, and moves the focus to its note. */
-  async mark(): Promise<void> {
+  mark(): void {
     const { step } = this.view;
     const known = bookmarkAt(this.bookmarks, step);
     this.limit = known === null && this.full ? 'full' : null;
@@ -133,9 +135,17 @@ export class BookmarksElement extends LitElement {
       this.bookmarks = withBookmark(this.bookmarks, step, '');
       this.tell();
     }
-    await this.updateComplete;
-    if (this.limit === null) this.noteOf(step)?.focus();
+    if (this.limit === null) this.awaited = step;
     else this.addButton.focus();
+    this.requestUpdate();
+  }
+
+  /** The elements around may first draw the bookmarks as they were, so the note may come with a later update. */
+  override updated(): void {
+    const note = this.awaited === null ? null : this.noteOf(this.awaited);
+    if (note === null) return;
+    this.awaited = null;
+    note.focus();
   }
 
   /** Moves the focus to the bookmark of the step, or to the next one. */

@@ -78,7 +78,7 @@ const travelStyle = css`
     min-width: 5rem;
     color: var(--soft);
   }
-  :host([brief]) :is(.name, .count) {
+  :host([brief]) .count {
     display: none;
   }
   :host([brief]) {
@@ -93,6 +93,9 @@ const travelStyle = css`
   @container (max-width: 920px) {
     :host([brief]) select {
       width: 7rem;
+    }
+    :host([brief]) .name {
+      display: none;
     }
   }
   /* Here every button has a border. */

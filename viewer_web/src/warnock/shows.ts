@@ -13,5 +13,11 @@ defineShows(methods.filter(hasWindows), {
       ?hall=${view.hall}
       parts=${parts?.join(' ') ?? nothing}
     ></vidno-warnock>`,
+  holds: ({ header, after: { warnock } }) => [
+    'window',
+    'corner-depths',
+    ...(header.detail !== 'windows' && warnock?.apl ? (['active-polygons'] as const) : []),
+    ...(warnock?.stack.length ? (['stack'] as const) : []),
+  ],
   legend: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
 });

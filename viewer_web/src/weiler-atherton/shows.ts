@@ -46,6 +46,7 @@ defineShows(['weiler-atherton'], {
       ?hall=${view.hall}
       parts=${parts?.join(' ') ?? nothing}
     ></vidno-regions>`,
+  holds: () => ['list', 'parts', 'visible'],
   legend: [...regionEntries, 'touched', 'chosen'],
   icon: (entry) => (isRegionEntry(entry) ? regionIcon(entry) : null),
   picture: (of) => {

@@ -12,5 +12,10 @@ defineShows(['zbuffer'], {
       ?hall=${view.hall}
       parts=${parts?.join(' ') ?? nothing}
     ></vidno-zbuffer>`,
+  holds: ({ after: { zbuffer } }) => [
+    'scanline',
+    'z-buffer',
+    ...(zbuffer?.ael.length ? (['active-edges'] as const) : []),
+  ],
   legend: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 });

@@ -1,7 +1,7 @@
 export const atlas = {
   title: 'Atlas of failures',
   /** The label of the button that opens it. */
-  open: 'Atlas of failures',
+  short: 'Atlas',
   close: 'Close',
   show: 'Show',
   all: 'all',

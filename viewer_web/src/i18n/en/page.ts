@@ -5,7 +5,10 @@ export const page = {
   tagline: 'why a pixel has its colour',
   lessons: 'Lessons',
   noLessons: 'This page was built without lessons.',
-  ownFile: 'Your own scene or trace',
+  own: 'Your own scene',
+  ownHint: 'Draw polygons, write a formula, or open a file',
+  drawOwn: 'Draw polygons',
+  ownFile: 'A scene or a trace from a file',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz; .obj, .off, .ply, .stl',
   reading: (name: string): string => `Reading ${name}…`,
@@ -16,6 +19,7 @@ export const page = {
   long: (steps: string): string =>
     `The run is longer than ${steps} steps, at which this page ends a run: its beginning is shown. For all of them, save the scene, ` +
     'run “vidno trace scene.json -o run.jsonl.gz” with the same settings, and open that file here.',
+  saveLong: 'Save the scene',
   coarsen: 'Run with fewer steps: detail “windows”',
   unreadable: (name: string, line: number, where: string, reason: string): string =>
     `${name} cannot be read as a trace. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
@@ -91,7 +95,7 @@ export const page = {
   workbench: 'Workbench',
   workbenchHint: 'Everything about each step: state, exactness, 3D, time strip',
   /** The label of the button that shows the tools where there is no room for them. */
-  tools: 'Tools',
+  menu: 'Menu',
   /** The dividers, by the part whose size they change. */
   sizeOf: {
     text: 'Size of the text',

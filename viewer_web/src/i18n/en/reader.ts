@@ -10,6 +10,8 @@ export const reader = {
   linkHere: (heading: string): string => `Link to “${heading}”`,
   /** The name of the part that states the time, what comes first, the terms and the goals. */
   about: 'About this lesson',
+  /** Its title with the time that the lesson takes. */
+  aboutFor: (minutes: number): string => `About this lesson (${minutes} minutes)`,
   time: 'Time in class',
   minutes: (minutes: number): string => `${minutes} minutes, without the exercises`,
   prerequisites: 'Prerequisites',

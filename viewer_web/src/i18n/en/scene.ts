@@ -25,6 +25,8 @@ export const scene = {
   link: 'Copy link',
   linkHint: 'Copies a link with the scene, this way to run it, and this step',
   linkCopied: 'Link copied.',
+  linkTooLong:
+    'This scene is too large for a link. “Save page” makes a file to send instead, which opens at this step.',
   page: 'Save page',
   pageHint: 'Saves this page as a file to send, with the run shown, this step and the bookmarks',
   pageSaved: 'Saved as a page that opens here. Send the file.',
@@ -51,6 +53,10 @@ export const scene = {
   corner: (id: string, n: number, x: number, y: number, z: number): string =>
     `${id}, vertex ${n}: x ${x}, y ${y}, depth ${z}`,
   coordinate: (axis: 'x' | 'y' | 'z', n: number): string => `${axis} of vertex ${n}`,
+  depth: 'depth z',
+  depthOf: (id: string): string => `depth of ${id}`,
+  /** Shows the depth of each vertex. */
+  tilt: 'Depth of each vertex',
   follows: 'Follows from the depths of the first three vertices',
   split: (n: number): string => `Add a vertex after vertex ${n}`,
   removeCorner: (n: number): string => `Remove vertex ${n}`,

@@ -20,8 +20,9 @@ export const words = {
 };
 
 export const verdict = {
-  /** Begins the result, in the first sentence that a visitor reads. */
+  /** Begins the result. */
   finished: 'Finished',
+  welcome: 'Finished: where polygons overlap, the nearest is visible. Play to see how.',
   pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
   allRight: 'all as in exact arithmetic',
   /** Replaces it where polygons share a colour, so that a right colour may be that of a wrong polygon. */
@@ -48,7 +49,8 @@ export const verdict = {
 
 export const tour = {
   /** What the page does, for a first visitor. */
-  about: 'vidno runs hidden-surface algorithms step by step.',
+  about:
+    'vidno shows, step by step, how a program finds the surface that is visible at each pixel.',
   offer: 'New here? Take the tour',
   again: 'Show me around',
   next: 'Next',

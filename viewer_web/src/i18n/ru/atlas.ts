@@ -2,7 +2,7 @@ import type { AtlasTexts } from '../../language/texts.js';
 
 export const atlas: AtlasTexts = {
   title: 'Атлас ошибок',
-  open: 'Атлас ошибок',
+  short: 'Атлас',
   close: 'Закрыть',
   show: 'Показать',
   all: 'все',

@@ -6,7 +6,10 @@ export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
   lessons: 'Уроки',
   noLessons: 'Эта страница собрана без уроков.',
-  ownFile: 'Своя сцена или трасса',
+  own: 'Своя сцена',
+  ownHint: 'Нарисовать многоугольники, задать формулу или открыть файл',
+  drawOwn: 'Нарисовать многоугольники',
+  ownFile: 'Сцена или трасса из файла',
   openFile: 'Открыть файл…',
   dropHere: 'или перетащите его сюда: .json, .jsonl, .jsonl.gz; .obj, .off, .ply, .stl',
   reading: (name) => `Чтение ${name}…`,
@@ -16,6 +19,7 @@ export const page: PageTexts = {
   long: (steps) =>
     `Прогон длиннее ${steps} шагов, а дальше эта страница прогонов не ведёт: показано начало. Чтобы получить все шаги, сохраните сцену, ` +
     'выполните «vidno trace scene.json -o run.jsonl.gz» с теми же настройками и откройте этот файл здесь.',
+  saveLong: 'Сохранить сцену',
   coarsen: 'Выполнить с меньшим числом шагов: подробность «окна»',
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
@@ -81,7 +85,7 @@ export const page: PageTexts = {
   close: 'Закрыть',
   workbench: 'Мастерская',
   workbenchHint: 'Всё о каждом шаге: состояние, точность, 3D, полоса времени',
-  tools: 'Инструменты',
+  menu: 'Меню',
   sizeOf: {
     text: 'Размер текста урока',
     picture: 'Размер изображения',

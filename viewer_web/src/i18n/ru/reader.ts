@@ -11,6 +11,7 @@ export const reader: ReaderTexts = {
   pin: (step, run) => `Шаг ${step}: ${run}`,
   linkHere: (heading) => `Ссылка на «${heading}»`,
   about: 'Об уроке',
+  aboutFor: (minutes) => `Об уроке (${minutes} мин)`,
   time: 'Время на занятии',
   minutes: (minutes) => `${minutes} мин без упражнений`,
   prerequisites: 'Что нужно знать',

@@ -22,6 +22,8 @@ export const words: WordTexts = {
 
 export const verdict: VerdictTexts = {
   finished: 'Готово',
+  welcome:
+    'Готово: где многоугольники перекрываются, виден ближайший. Нажмите «Пуск», чтобы увидеть, как это получилось.',
   pixels: (n) => count(n, { one: 'пиксель', few: 'пикселя', other: 'пикселей' }),
   allRight: 'все как в точной арифметике',
   someWrong: (n) => `не как в точной арифметике: ${n}`,
@@ -49,7 +51,8 @@ export const verdict: VerdictTexts = {
 };
 
 export const tour: TourTexts = {
-  about: 'vidno пошагово выполняет алгоритмы удаления невидимых поверхностей.',
+  about:
+    'vidno показывает шаг за шагом, как программа находит поверхность, видимую в каждом пикселе.',
   offer: 'Впервые здесь? Обзор',
   again: 'Показать, что здесь где',
   next: 'Дальше',
