@@ -5,6 +5,7 @@ import type { AppElement } from '../src/app/app.js';
 import { browser } from './browser.js';
 import { edit, rerun } from './live.js';
 import { goTo, open, openFile, shown } from './page.js';
+import { sample } from './sample.js';
 
 const folder = new URL('../../lessons/failures/', import.meta.url);
 const text = (file: string): string => readFileSync(new URL(file, folder), 'utf8');
@@ -81,8 +82,8 @@ describe('the atlas of failures', () => {
   it('opens each entry at its step, with its answer and remedy, and compares its pixel with the remedy’s', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     expect(entries.length).toBeGreaterThanOrEqual(52);
-    let pixels = 0;
-    for (const entry of entries) {
+    expect(entries.filter(({ pixel }) => pixel !== null).length).toBeGreaterThanOrEqual(35);
+    for (const entry of sample(entries, 3)) {
       await choose(page, entry);
       const note = page.locator('vidno-failure-note');
       const step = entry.step === '' ? '' : `Step ${Number(entry.step).toLocaleString('en')}: `;
@@ -102,7 +103,6 @@ describe('the atlas of failures', () => {
         )
         .toEqual({ isThere: true, pixel: entry.pixel });
       if (entry.pixel === null) continue;
-      pixels++;
       await note.locator('[name=compare]').click();
       await page.locator('vidno-comparison').waitFor();
       const isTold = async (): Promise<boolean> => (await state(page)).colors[1] !== null;
@@ -111,7 +111,6 @@ describe('the atlas of failures', () => {
       await expect.poll(differ, { message: entry.name }).toBe(true);
       await note.locator('[name=compare]').click();
     }
-    expect(pixels).toBeGreaterThanOrEqual(35);
     expect(faults).toEqual([]);
   });
 
