@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "chart/chart_pictures.h"
-#include "chart/chart_plot.h"
 #include "check/visible_areas.h"
 #include "output.h"
 #include "scene/scene_json.h"
@@ -333,36 +332,6 @@ TEST_CASE("JSON and CSV agree for any name of the scene") {
     CHECK(row == "\"a \"\"quad\"\", </script>");
     std::getline(csv, row);
     CHECK(row.rfind("and more\",\"ordinary\",0,256,1,0.0,\"warnock\",\"float\",\"corrected\",1,,,true,", 0) == 0);
-}
-
-TEST_CASE("Input for gnuplot: names stay inside their quotes") {
-    Scene scene = whole_quad();
-    scene.name = "it's `touch x`\nset output 'y'";
-    const std::string script = chart_script({charted(admit(scene))}, 0, 0);
-    CHECK(script.find("set title 'it''s `touch x` set output ''y'' (ordinary)' noenhanced\n") != script.npos);
-}
-
-TEST_CASE("In a figure, a label that would cover another is a line farther from the marks") {
-    // Two decades take 688 pixels, so 10 and 12 are 344 log10(1.2) = 27 pixels apart. "double" takes 6 times 8.
-    const PlotMark first{10, 0, "double"}, second{12, 0, "exact"}, last{1000, 0, "exact"};
-    Plot plot;
-    plot.errors = {0};
-    plot.marks = {{first}, {second, last}};
-    plot.labels = {{{first}, false}, {{second, last}, false}, {{second}, true}};
-    const std::string script = plot_script({plot}, PlotWords{}, PlotLayout{.panel_width = 800});
-    CHECK(script.find("set label 'double' at 10,0.1 left offset -0.6,-0.9 ") != script.npos);
-    CHECK(script.find("set label 'exact' at 12,0.1 left offset -0.6,-1.9 ") != script.npos);
-    CHECK(script.find("set label 'exact' at 1000,0.1 left offset -0.6,-0.9 ") != script.npos);
-    CHECK_MESSAGE(script.find("set label 'exact' at 12,0.1 left offset -0.6,0.9 ") != script.npos, "above the marks");
-}
-
-TEST_CASE("The figure of a chart has the name of a scene of the course in its language") {
-    Scene scene = whole_quad();
-    scene.name = "Five triangles of one plane";
-    const std::vector<SceneChart> charts{charted(admit(scene))};
-    const std::string russian = chart_script(charts, 0, 0, {}, Language::russian);
-    CHECK(russian.find("set title 'Пять треугольников одной плоскости (") != russian.npos);
-    CHECK(chart_script(charts, 0, 0).find("set title 'Five triangles of one plane (") != std::string::npos);
 }
 
 TEST_CASE("The scenes of charts: ordinary and degenerate ones, and accuracy has a cost on each" *

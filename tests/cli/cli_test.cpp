@@ -378,7 +378,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "choose " + work.file("missing.json"),
              "chart " + scene,
              "chart -o " + work.file("a.json"),
-             "chart " + scene + " -o " + work.file("a.png"),
+             "chart " + scene + " -o " + work.file("a.tex"),
              "chart " + wide + " -o " + work.file("a.json"),
              "chart " + scene + " --cost money -o " + work.file("a.svg"),
              "chart " + work.file("missing.json") + " -o " + work.file("a.json"),
@@ -753,7 +753,9 @@ TEST_CASE("chart: the output's name selects the format") {
     const std::string figure = work.read("a.svg");
     CHECK(figure.find("<svg ") != std::string::npos);
     CHECK(figure.find("depth error, ulps") != std::string::npos);
-    CHECK(figure.find("operations times bits") != std::string::npos);
+    CHECK(figure.find("operations × bits") != std::string::npos);
+    REQUIRE(program("chart " + scene + " -o " + work.file("a.pdf")).status == 1);
+    CHECK(work.read("a.pdf").starts_with("%PDF"));
 }
 
 TEST_CASE("worksheet: the questions that the built script for Node makes about a trace") {

@@ -45,8 +45,7 @@ run 'vidno figure run.jsonl --step 100 -o figure.svg && head -n 1 figure.svg | c
 run 'vidno page run.jsonl scene.json -o lecture.html && ls -s --block-size=1k lecture.html'
 run 'vidno lesson check /usr/share/vidno/lessons/01-four-relations'
 run 'cd /usr/share && ls -s --block-size=1k man/man1/vidno.1.gz bash-completion/completions/vidno zsh/vendor-completions/_vidno'
-say "vidno chart scene.json -o chart.svg"
-if inside vidno chart scene.json -o chart.svg; then exit 1; fi
+run 'vidno chart scene.json -o chart.svg || head -n 1 chart.svg | cut -c1-100' # it says which run lost something
 
 say "apt install ./libvidno-dev_*.deb cmake g++ ninja-build"
 inside sh -euc 'apt-get install -y -q --no-install-recommends ./packages/libvidno-dev_*.deb cmake g++ ninja-build' | tail -n 2

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "chart/axes.h"
-#include "chart/chart_plot.h"
 #include "check/examiner.h"
 
 namespace vidno {
@@ -75,19 +74,5 @@ SceneChart chart_of(const AdmittedScene& scene, const std::function<void()>& pro
 
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
-
-/// The words in a chart's figure.
-struct ChartWords {
-    std::array<std::string_view, 3> costs;    // in the order of cost_axes
-    std::array<std::string_view, 4> errors;   // in the order of error_axes
-    std::array<std::string_view, 10> series;  // the runs of the course's methods
-    std::string_view of_family;               // stands before the name of a variant
-    std::string_view front, ordinary, degenerate, no_number;
-};
-extern const InEachLanguage<ChartWords> chart_words;
-
-/// The gnuplot program that draws one panel per scene, ordinary ones first, as SVG. The axes are given by index.
-std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout = {}, Language language = Language::english);
 
 }  // namespace vidno

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "chart/axes.h"
-#include "chart/chart_plot.h"
 #include "format/floating_horizon_trace.h"
 #include "run/run.h"
 #include "scene/surface.h"
@@ -87,17 +86,5 @@ SurfaceChart chart_of(const Function& function, const std::function<void()>& pro
 
 std::string chart_json(const std::vector<SurfaceChart>& surfaces);
 std::string chart_csv(const std::vector<SurfaceChart>& surfaces);
-
-/// The words in a chart's figure.
-struct SurfaceChartWords {
-    std::array<std::string_view, 3> costs, errors;  // in the order of the axes
-    std::array<std::string_view, 2> knobs;
-    std::string_view as_given, printed, front;
-};
-extern const InEachLanguage<SurfaceChartWords> surface_chart_words;
-
-/// The gnuplot program that draws one panel per surface, as SVG. The axes are given by index.
-std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout = {}, Language language = Language::english);
 
 }  // namespace vidno

@@ -6,6 +6,7 @@
 #include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/scene_files.h"
+#include "figure/encoded.h"
 #include "output.h"
 #include "page/page.h"
 #include "page/program.h"
@@ -20,15 +21,19 @@ struct ChartOptions {
     AxisOptions axes;  // of the figure
 };
 
+bool is_figure(const std::string& output) {
+    constexpr std::array<std::string_view, 3> extensions{".svg", ".pdf", ".png"};
+    return std::ranges::any_of(extensions, [&](std::string_view each) { return output.ends_with(each); });
+}
+
 /// Refuses a wrong name, and an output that could not be written, before the work.
 void expect_format(const ChartOptions& options, bool of_surfaces) {
     const std::string& output = options.output;
     if (output == "-" || output.ends_with(".json") || output.ends_with(".csv")) return;
-    if (output.ends_with(".svg")) {
-        output_of({"gnuplot", "--version"}, "");
+    if (is_figure(output)) {
         expect_axes(options.axes, of_surfaces);
     } else if (!output.ends_with(".html")) {
-        throw Refused(output + ": not .json, .csv, .svg or .html");
+        throw Refused(output + ": not .json, .csv, .svg, .pdf, .png or .html");
     } else {
         chart_page("null");
     }
@@ -37,8 +42,10 @@ void expect_format(const ChartOptions& options, bool of_surfaces) {
 std::string written(const auto& charts, const ChartOptions& options) {
     if (options.output.ends_with(".html")) return chart_page(chart_json(charts));
     if (options.output.ends_with(".csv")) return chart_csv(charts);
-    if (!options.output.ends_with(".svg")) return chart_json(charts);
-    return output_of({"gnuplot"}, script_of(charts, options.axes));
+    if (!is_figure(options.output)) return chart_json(charts);
+    const auto panels = panels_of(charts, options.axes, Language::english);
+    return figures::encoded(figures::chart_figure(panels, {}, usual_width_of(panels)), {panels.front().title},
+                            options.output);
 }
 
 void expect_size(const Scene& scene, const std::string& file) {
@@ -120,8 +127,9 @@ void add_chart(CLI::App& program, int& status) {
         .add_option("SCENE", options->scenes,
                     "Scene files, vidno-scene/1, or surface files, vidno-surface/1, with a function")
         ->required();
-    add_axes(command, options->axes, "The horizontal axis of .svg [time]");
-    command.add_option("-o", options->output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")
+    add_axes(command, options->axes, "The horizontal axis of a figure [time]");
+    command
+        .add_option("-o", options->output, "The chart, .json, .csv, .html (a page), or a figure, .svg, .pdf or .png")
         ->required();
     command.footer(
         "The settings are the bits of arithmetic, of the Z-buffer and of the grid, and the smallest window; for "
@@ -129,8 +137,8 @@ void add_chart(CLI::App& program, int& status) {
         "the samples per curve and the tolerance. Times are medians of five interleaved runs, relative to the "
         "fastest;\n"
         "counts of operations are always the same.\n"
-        "The page shows what a right picture costs, adds any series by choice, and shows each run's picture beside\n"
-        "the exact one.\n"
+        "The page and the figure show what a right picture costs. The page adds any series by choice, and shows each\n"
+        "run's picture beside the exact one.\n"
         "Exit status 1: a run lost something; standard error says which run, what and where.\n"
         "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
         "          vidno chart lessons/surfaces/*.json -o surfaces.html");

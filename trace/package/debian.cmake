@@ -26,7 +26,7 @@ step was taken, and proves each decision right or wrong in exact arithmetic.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME vidno)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Charts, questions for Moodle, the sandbox for a student's program. vidno says which of these is missing.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, nodejs (>= 18), bubblewrap, fonts-liberation")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "nodejs (>= 18), bubblewrap, fonts-liberation")
 
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The procedures as C++20 headers, which find_package(vidno) finds.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libvidno-dev)

@@ -1,5 +1,7 @@
 #include "cli/shared/chart_axes.h"
 
+#include <algorithm>
+
 #include "chart/chart.h"
 #include "cli/shared/run_options.h"
 #include "refused.h"
@@ -54,16 +56,25 @@ void expect_axes(const AxisOptions& axes, bool of_surfaces) {
     }
 }
 
-std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout,
-                      Language language) {
-    const auto [cost, error] = places_of(axes, cost_axes, error_axes);
-    return chart_script(scenes, cost, error, layout, language);
+std::vector<figures::ChartPanel> panels_of(const AnyChart& chart, const AxisOptions& axes, Language language) {
+    std::vector<figures::ChartPanel> panels;
+    const auto add_all = [&](const auto& subjects, const auto& costs, const auto& errors) {
+        const auto [cost, error] = places_of(axes, costs, errors);
+        for (const auto& subject : subjects) panels.push_back(figures::panel_of(subject, cost, error, language));
+    };
+    if (const auto* scenes = std::get_if<std::vector<SceneChart>>(&chart)) {
+        auto ordered = *scenes;
+        std::ranges::stable_partition(ordered, [](const SceneChart& scene) { return !scene.degenerate(); });
+        add_all(ordered, cost_axes, error_axes);
+    } else {
+        add_all(std::get<std::vector<SurfaceChart>>(chart), surface_cost_axes, surface_error_axes);
+    }
+    return panels;
 }
 
-std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout,
-                      Language language) {
-    const auto [cost, error] = places_of(axes, surface_cost_axes, surface_error_axes);
-    return chart_script(surfaces, cost, error, layout, language);
+double usual_width_of(const std::vector<figures::ChartPanel>& panels) {
+    constexpr double column = 80, page = 170;
+    return panels.size() == 1 ? column : page;
 }
 
 }  // namespace vidno::cli

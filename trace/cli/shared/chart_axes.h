@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chart/chart_input.h"
-#include "figure/figure_words.h"
+#include "figure/chart_figure.h"
 
 namespace vidno::cli {
 
@@ -22,11 +22,11 @@ void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost);
 /// Refuses axes that a chart of this kind does not have.
 void expect_axes(const AxisOptions& axes, bool of_surfaces);
 
-/// The gnuplot program that draws a chart on the named axes, with words in the language. Refuses axes that a chart of
-/// this kind does not have.
-std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout = {},
-                      Language language = Language::english);
-std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout = {},
-                      Language language = Language::english);
+/// A panel of the figure for each scene, ordinary ones first, on the named axes. Refuses axes that a chart of this kind
+/// does not have.
+std::vector<figures::ChartPanel> panels_of(const AnyChart& chart, const AxisOptions& axes, Language language);
+
+/// The usual width of the figure, in millimetres: that of a column, or of a page for several panels.
+double usual_width_of(const std::vector<figures::ChartPanel>& panels);
 
 }  // namespace vidno::cli

@@ -321,34 +321,13 @@ std::string drawn_map(const FigureOptions& options, const std::string& text) {
                    options.output, options.dots_an_inch);
 }
 
-/// gnuplot's drawing with a width in millimetres.
-std::string sized(std::string svg, double width) {
-    double columns = 0, rows = 0;
-    const auto at = svg.find(" width=\"");
-    if (at == svg.npos || std::sscanf(svg.c_str() + at, " width=\"%lf\" height=\"%lf\"", &columns, &rows) != 2) {
-        throw Refused("gnuplot: unexpected SVG");
-    }
-    const auto end = svg.find('"', svg.find(" height=\"", at) + 9) + 1;
-    return svg.replace(
-        at, end - at,
-        " width=\"" + figures::decimal(width) + "mm\" height=\"" + figures::decimal(width * rows / columns) + "mm\"");
-}
-
 std::string drawn_chart(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
-    if (options.greyscale) refuse("--greyscale", "the shapes of a chart's points already differ");
     const figures::Style style = style_of(options);
-    const AnyChart chart = read_chart(text, options.input);
-    const double width = options.width.empty() ? page_width : length_of(options.width);
-    constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
-    const PlotLayout layout{1, int(width / unit), "Helvetica"};
-    const auto draw = [&](const auto& charts) {
-        const std::string script = script_of(charts, options.axes, layout, style.language);
-        const std::string svg = sized(output_of({"gnuplot"}, script), width);
-        return encoded(svg, {name_in(style.language, charts.front().name), style.language}, options.output,
-                       options.dots_an_inch);
-    };
-    return std::visit(draw, chart);
+    const auto panels = panels_of(read_chart(text, options.input), options.axes, style.language);
+    const double width = options.width.empty() ? usual_width_of(panels) : length_of(options.width);
+    return encoded(figures::chart_figure(panels, style, width), {panels.front().title, style.language}, options.output,
+                   options.dots_an_inch);
 }
 
 }  // namespace

@@ -1,0 +1,191 @@
+// Which runs of a chart its figure shows, and in which words.
+
+#include <functional>
+
+#include "chart_figure.h"
+#include "choice/method.h"
+#include "say/words.h"
+#include "scene/scene_names.h"
+
+namespace vidno::figures {
+
+namespace {
+
+struct PanelWords {
+    std::array<std::string_view, 3> scene_costs, surface_costs;  // in the order of the axes
+    std::array<std::string_view, 4> scene_errors;
+    std::array<std::string_view, 3> surface_errors;
+    std::string_view warnock;  // also before the name of a variant
+    std::string_view ordinary, degenerate, as_given, samples, tolerance;
+};
+
+const InEachLanguage<PanelWords> panel_words{
+    {.scene_costs = {"time, times that of the fastest run", "operations, times the fewest",
+                     "operations × bits, times the fewest"},
+     .surface_costs = {"time, times that of the fastest run", "operations, times the fewest",
+                       "samples, times the fewest"},
+     .scene_errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
+     .surface_errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
+     .warnock = "Warnock",
+     .ordinary = "ordinary",
+     .degenerate = "degenerate",
+     .as_given = "as given",
+     .samples = "{} samples",
+     .tolerance = "tolerance {} px"},
+    {.scene_costs = {"время относительно самого быстрого прогона", "операции относительно наименьшего числа",
+                     "операции × биты относительно наименьшего числа"},
+     .surface_costs = {"время относительно самого быстрого прогона", "операции относительно наименьшего числа",
+                       "отсчёты относительно наименьшего числа"},
+     .scene_errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
+     .surface_errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
+     .warnock = "Варнок",
+     .ordinary = "обычная",
+     .degenerate = "вырожденная",
+     .as_given = "как задано",
+     .samples = "отсчётов: {}",
+     .tolerance = "допуск {} px"}};
+
+std::string charted_name(Method method, Language language) {
+    const std::string title(choice_of(method).title.in(language)), warnock(panel_words.in(language).warnock);
+    return method == Method::warnock ? warnock : is_family(method) ? warnock + ", " + title : title;
+}
+
+std::string charted_number(double value, Language language) {
+    std::string text = decimal(value);
+    if (language == Language::russian) std::ranges::replace(text, '.', ',');
+    return text;
+}
+
+bool is_compared(const NamedKernel& kernel) {
+    constexpr std::array<std::string_view, 4> compared{"float", "double", "filtered", "exact"};
+    return std::ranges::find(compared, kernel.choice->name) != compared.end();
+}
+
+/// The runs that a figure may show. A run that a fault ended has no picture, and the printed text has defects.
+template <class Run>
+std::vector<const Run*> runs_to_show(const std::vector<Run>& runs, const CostAxis<Run>& cost) {
+    std::vector<const Run*> found;
+    for (const Run& run : runs) {
+        const bool is_shown = run.is_complete() && run.way.edition == Edition::corrected && is_compared(run.way.kernel);
+        if (is_shown && cost.of(run).value_or(0) > 0) found.push_back(&run);
+    }
+    return found;
+}
+
+/// The cheapest run without an error, null if there is none. Of equal costs, one that is right for every scene.
+template <class Run>
+const Run* cheapest_right(const std::vector<const Run*>& runs, const CostAxis<Run>& cost, const ErrorAxis<Run>& error) {
+    const auto place = [&](const Run* run) { return std::pair(*cost.of(*run), !run->way.kernel.is_always_right()); };
+    const Run* best = nullptr;
+    for (const Run* run : runs) {
+        if (error.of(*run) == 0 && (!best || place(run) < place(best))) best = run;
+    }
+    return best;
+}
+
+/// Those of the runs that have the property.
+template <class Run>
+std::vector<const Run*> with_property(const std::vector<const Run*>& runs, const auto& property) {
+    std::vector<const Run*> found;
+    std::ranges::copy_if(runs, std::back_inserter(found), property);
+    return found;
+}
+
+void add_if_any(auto& runs, const auto* run) {
+    if (run) runs.push_back(run);
+}
+
+/// The marks of the chosen runs, and the cheapest right one.
+template <class Run>
+std::vector<ChartMark> marks_of(const std::vector<Run>& all, const std::vector<const Run*>& chosen,
+                                const CostAxis<Run>& cost, const ErrorAxis<Run>& wrong, const auto& mark_of) {
+    double least = 0;
+    for (const Run& run : all) {
+        const double own = cost.of(run).value_or(0);
+        if (own > 0 && (least == 0 || own < least)) least = own;
+    }
+    const Run* const cheapest = cheapest_right(chosen, cost, wrong);
+    std::vector<ChartMark> marks;
+    for (const Run* run : chosen) {
+        ChartMark mark = mark_of(*run);
+        mark.cost = *cost.of(*run) / least;
+        mark.kernel = run->way.kernel.choice->name;
+        mark.is_cheapest = run == cheapest;
+        marks.push_back(std::move(mark));
+    }
+    return marks;
+}
+
+}  // namespace
+
+ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error, Language language) {
+    const PanelWords& words = panel_words.in(language);
+    const auto& cost_axis = cost_axes[cost];
+    const auto& error_axis = error_axes[error];
+    const auto is_of_lecture = [](const ChartRun* run) { return is_of_course(run->way.method) && !run->way.knob; };
+    const auto is_other = [](const ChartRun* run) { return !is_of_course(run->way.method) && !run->way.knob; };
+    const auto runs = runs_to_show(scene.runs, cost_axis);
+    auto chosen = with_property(runs, is_of_lecture);
+    add_if_any(chosen, cheapest_right(with_property(runs, is_other), cost_axis, error_axes.front()));
+
+    const double whole = error_axis.name == "depthUlps"        ? 1
+                         : error_axis.name == "wrongDecisions" ? .01
+                                                               : double(scene.pixels) / 100;
+    const auto mark_of = [&](const ChartRun& run) {
+        using enum ChartMark::Shape;
+        const Method method = run.way.method;
+        return ChartMark{.error = error_axis.of(run) / whole,
+                         .way = charted_name(method, language),
+                         .kernel = {},
+                         .shape = method == Method::zbuffer   ? circle
+                                  : method == Method::warnock ? square
+                                                              : triangle};
+    };
+    return {.title = name_in(language, scene.name) + " (" +
+                     std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")",
+            .cost = std::string(words.scene_costs[cost]),
+            .error = std::string(words.scene_errors[error]),
+            .least = error_axis.name == "area" ? scene.area / whole : 0,
+            .marks = marks_of(scene.runs, chosen, cost_axis, error_axes.front(), mark_of)};
+}
+
+ChartPanel panel_of(const SurfaceChart& surface, std::size_t cost, std::size_t error, Language language) {
+    const PanelWords& words = panel_words.in(language);
+    const auto& cost_axis = surface_cost_axes[cost];
+    const auto& error_axis = surface_error_axes[error];
+    const auto runs = runs_to_show(surface.runs, cost_axis);
+    const auto by = [&](std::optional<SamplingKnob> knob) {
+        return with_property(runs, [&](const SurfaceChartRun* run) { return run->way.knob == knob; });
+    };
+    const auto sampled = by(SamplingKnob::samples);
+    double most = 0;
+    for (const auto* run : sampled) most = std::max(most, run->way.value);
+    const auto is_dense = [&](const SurfaceChartRun* run) { return run->way.value == most; };
+    auto chosen = by(std::nullopt);
+    std::ranges::copy(with_property(sampled, is_dense), std::back_inserter(chosen));
+    add_if_any(chosen,
+               cheapest_right(with_property(sampled, std::not_fn(is_dense)), cost_axis, surface_error_axes.front()));
+    add_if_any(chosen, cheapest_right(by(SamplingKnob::tolerance), cost_axis, surface_error_axes.front()));
+
+    const double whole = error_axis.name == "height"           ? 1
+                         : error_axis.name == "wrongDecisions" ? .01
+                                                               : double(surface.columns) / 100;
+    const auto mark_of = [&](const SurfaceChartRun& run) {
+        using enum ChartMark::Shape;
+        const auto knob = run.way.knob;
+        const auto pattern = !knob ? words.as_given : knob == SamplingKnob::samples ? words.samples : words.tolerance;
+        return ChartMark{.error = error_axis.of(run) / whole,
+                         .way = say::filled(pattern, {charted_number(run.way.value, language)}),
+                         .kernel = {},
+                         .shape = !knob                           ? circle
+                                  : knob == SamplingKnob::samples ? square
+                                                                  : triangle};
+    };
+    return {.title = name_in(language, surface.name),
+            .cost = std::string(words.surface_costs[cost]),
+            .error = std::string(words.surface_errors[error]),
+            .least = 0,
+            .marks = marks_of(surface.runs, chosen, cost_axis, surface_error_axes.front(), mark_of)};
+}
+
+}  // namespace vidno::figures
