@@ -87,7 +87,7 @@ SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
 }
 
 SceneChart scene_of(const JsonNode& node) {
-    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "scene", "runs"}, {"pictures"});
+    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "runs"}, {"scene", "pictures"});
     SceneChart scene{.name = node.at("name").text(),
                      .unsteady = count_of(node.at("unsteady")),
                      .pixels = count_of(node.at("pixels")),

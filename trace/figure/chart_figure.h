@@ -14,7 +14,7 @@ namespace vidno::figures {
 struct ChartMark {
     enum class Shape : unsigned char { circle, square, triangle };
 
-    double cost = 1;   // relative to the least of all runs of the scene
+    double cost = 1;   // relative to the least in the panel
     double error = 0;  // in per cent, ulps or pixels; infinite where a depth is no number
     std::string way;   // "Warnock", "as given"
     std::string kernel;

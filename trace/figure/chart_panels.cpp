@@ -1,6 +1,7 @@
 // Which runs of a chart its figure shows, and in which words.
 
 #include <functional>
+#include <limits>
 
 #include "chart_figure.h"
 #include "choice/method.h"
@@ -20,10 +21,9 @@ struct PanelWords {
 };
 
 const InEachLanguage<PanelWords> panel_words{
-    {.scene_costs = {"time, times that of the fastest run", "operations, times the fewest",
+    {.scene_costs = {"time, times that of the fastest", "operations, times the fewest",
                      "operations × bits, times the fewest"},
-     .surface_costs = {"time, times that of the fastest run", "operations, times the fewest",
-                       "samples, times the fewest"},
+     .surface_costs = {"time, times that of the fastest", "operations, times the fewest", "samples, times the fewest"},
      .scene_errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
      .surface_errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
      .warnock = "Warnock",
@@ -32,9 +32,9 @@ const InEachLanguage<PanelWords> panel_words{
      .as_given = "as given",
      .samples = "{} samples",
      .tolerance = "tolerance {} px"},
-    {.scene_costs = {"время относительно самого быстрого прогона", "операции относительно наименьшего числа",
+    {.scene_costs = {"время относительно самого быстрого", "операции относительно наименьшего числа",
                      "операции × биты относительно наименьшего числа"},
-     .surface_costs = {"время относительно самого быстрого прогона", "операции относительно наименьшего числа",
+     .surface_costs = {"время относительно самого быстрого", "операции относительно наименьшего числа",
                        "отсчёты относительно наименьшего числа"},
      .scene_errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
      .surface_errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
@@ -95,15 +95,12 @@ void add_if_any(auto& runs, const auto* run) {
     if (run) runs.push_back(run);
 }
 
-/// The marks of the chosen runs, and the cheapest right one.
+/// Their marks.
 template <class Run>
-std::vector<ChartMark> marks_of(const std::vector<Run>& all, const std::vector<const Run*>& chosen,
-                                const CostAxis<Run>& cost, const ErrorAxis<Run>& wrong, const auto& mark_of) {
-    double least = 0;
-    for (const Run& run : all) {
-        const double own = cost.of(run).value_or(0);
-        if (own > 0 && (least == 0 || own < least)) least = own;
-    }
+std::vector<ChartMark> marks_of(const std::vector<const Run*>& chosen, const CostAxis<Run>& cost,
+                                const ErrorAxis<Run>& wrong, const auto& mark_of) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Run* run : chosen) least = std::min(least, *cost.of(*run));
     const Run* const cheapest = cheapest_right(chosen, cost, wrong);
     std::vector<ChartMark> marks;
     for (const Run* run : chosen) {
@@ -146,7 +143,7 @@ ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error
             .cost = std::string(words.scene_costs[cost]),
             .error = std::string(words.scene_errors[error]),
             .least = error_axis.name == "area" ? scene.area / whole : 0,
-            .marks = marks_of(scene.runs, chosen, cost_axis, error_axes.front(), mark_of)};
+            .marks = marks_of(chosen, cost_axis, error_axes.front(), mark_of)};
 }
 
 ChartPanel panel_of(const SurfaceChart& surface, std::size_t cost, std::size_t error, Language language) {
@@ -185,7 +182,7 @@ ChartPanel panel_of(const SurfaceChart& surface, std::size_t cost, std::size_t e
             .cost = std::string(words.surface_costs[cost]),
             .error = std::string(words.surface_errors[error]),
             .least = 0,
-            .marks = marks_of(surface.runs, chosen, cost_axis, surface_error_axes.front(), mark_of)};
+            .marks = marks_of(chosen, cost_axis, surface_error_axes.front(), mark_of)};
 }
 
 }  // namespace vidno::figures
