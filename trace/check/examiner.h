@@ -20,9 +20,9 @@ inline constexpr std::array<std::string_view, 8> operation_names{
 using OperationCounts = std::array<std::uint64_t, operation_names.size()>;
 
 struct Findings {
-    bool complete = true;      // no fault ended the run
+    bool complete = true;         // no fault ended the run
     std::vector<Color> pixels{};  // of the picture, row by row from the top
-    std::vector<Loss> losses;  // of the run
+    std::vector<Loss> losses;     // of the run
     OperationCounts operations{};
     std::uint64_t wrong_pixels = 0;
     double area = 0;  // shown in a wrong colour, in pixels

@@ -193,8 +193,9 @@ std::string words_of_decisions() {
 }
 
 std::string words_of_faults() {
-    std::string text = "\n/** The reasons for faults, as traces have them, in Russian. */\n"
-                       "export const faultReasons: Readonly<Record<string, string>> = {\n";
+    std::string text =
+        "\n/** The reasons for faults, as traces have them, in Russian. */\n"
+        "export const faultReasons: Readonly<Record<string, string>> = {\n";
     for (const Bilingual& reason : fault_reasons) {
         text += "  " + in_quotes(reason.english) + ": " + in_quotes(reason.russian) + ",\n";
     }
