@@ -64,7 +64,8 @@ std::vector<figures::ChartPanel> panels_of(const AnyChart& chart, const AxisOpti
     };
     if (const auto* scenes = std::get_if<std::vector<SceneChart>>(&chart)) {
         auto ordered = *scenes;
-        std::ranges::stable_partition(ordered, [](const SceneChart& scene) { return !scene.degenerate(); });
+        std::stable_partition(ordered.begin(), ordered.end(),
+                              [](const SceneChart& scene) { return !scene.degenerate(); });
         add_all(ordered, cost_axes, error_axes);
     } else {
         add_all(std::get<std::vector<SurfaceChart>>(chart), surface_cost_axes, surface_error_axes);

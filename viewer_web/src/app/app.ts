@@ -295,14 +295,14 @@ const appStyle = css`
       display: flex;
     }
   }
-  /* On an upright phone the picture has the full width, and the page scrolls to the text. */
+  /* On an upright phone the picture has nearly the full width, and the page scrolls its header away for the text. */
   @media (max-width: 520px) and (orientation: portrait) {
     :host([reading]) {
       --least-room: calc(min(100vw, 26rem) + var(--dock));
       --room: clamp(
         var(--least-room),
         100dvh - 3.25rem,
-        max(${leastPanel}, 100vw) + ${zoomButtons} + var(--dock)
+        max(${leastPanel}, 96vw) + ${zoomButtons} + var(--dock)
       );
     }
   }
