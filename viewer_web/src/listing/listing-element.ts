@@ -431,7 +431,7 @@ export class ListingElement extends LitElement {
     const mark = this.view.step === 0 ? find('section') : (find('.entered h3') ?? find('.now'));
     const procedure = this.view.step === 0 ? null : mark?.closest('section');
     const lines = procedure?.querySelectorAll<HTMLElement>('h3, li') ?? [];
-    this.follower.follow(find('.procedures'), mark, 0, [...lines]);
+    this.follower.follow(find('.procedures'), mark, 0, [...lines], this.view.step);
   }
 }
 

@@ -25,5 +25,8 @@ describe('a list', () => {
     // Nothing follows the last line; text fades over the last 30.
     bringLineInSight(box, lines, 6, 30);
     expect(box.scrollTop).toBe(200);
+    // The line and its neighbours take 60 of 90, so they need a part of those 35 where text fades.
+    bringLineInSight(box, lines, 4, 35);
+    expect(box.scrollTop).toBe(160);
   });
 });

@@ -12,15 +12,17 @@ export function bringInSight(list: List, mark: Mark, above = 0): void {
 
 /**
  * Scrolls a list if a line or one of its neighbours is out of sight. If it fits, the list begins with the first of the lines,
- * or else with one that leaves room for the lines to come. `veiled` is the height at the list's end where text fades.
+ * or else with one that leaves room for the lines to come. `veiled` is the height at the list's end where text fades; it is used
+ * where the neighbours need it.
  */
 export function bringLineInSight(list: List, lines: readonly Mark[], at: number, veiled = 0): void {
   const line = lines[at];
   if (line === undefined) return;
-  const room = list.clientHeight - veiled;
   const { offsetTop: top } = lines[at - 1] ?? line;
   const { offsetTop, offsetHeight } = lines[at + 1] ?? line;
   const end = offsetTop + offsetHeight;
+  const clear = list.clientHeight - veiled;
+  const room = end - top <= clear ? clear : list.clientHeight;
   if (top >= list.scrollTop && end <= list.scrollTop + room) return;
   const fits = (first: Mark, i: number): boolean =>
     end - first.offsetTop <= (i === 0 ? room : (2 / 3) * room);
@@ -36,15 +38,20 @@ export class Follower {
   private list: HTMLElement | null = null;
   private mark: HTMLElement | null = null;
   private above = 0;
+  private step = 0;
   private lines: readonly HTMLElement[] = [];
   private readonly observer = new ResizeObserver(() => this.look());
 
-  /** Follows a mark in a list whose top is covered to the height `above`; if it is one of some lines, with its neighbours. */
+  /**
+   * Follows a mark in a list whose top is covered to the height `above`; if it is one of some lines, with its neighbours. At
+   * another step it looks again, since a longer note above the mark may have moved it.
+   */
   follow(
     list: HTMLElement | null,
     mark: HTMLElement | null,
     above = 0,
     lines: readonly HTMLElement[] = [],
+    step = 0,
   ): void {
     const { observer } = this;
     this.above = above;
@@ -53,8 +60,9 @@ export class Follower {
       observer.disconnect();
       if (list !== null) observer.observe(list);
       this.list = list;
-    } else if (mark === this.mark) return;
+    } else if (mark === this.mark && step === this.step) return;
     this.mark = mark;
+    this.step = step;
     // The observer reports a newly observed element at once.
     if (mark !== null) observer.observe(mark);
   }
