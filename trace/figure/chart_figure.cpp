@@ -32,7 +32,7 @@ class ChartScale {
 public:
     ChartScale(double least, double greatest) : least_(std::log10(least)), greatest_(std::log10(greatest)) {}
     double at(double value) const { return (std::log10(value) - least_) / (greatest_ - least_); }
-    /// The powers of ten on it, at most so many.
+    /// The powers of ten on it, at most `most`.
     std::vector<int> ticks(int most) const {
         const int first = int(std::ceil(least_ - 1e-9)), last = int(std::floor(greatest_ + 1e-9));
         const int step = std::max(1, (last - first) / most + 1);

@@ -72,7 +72,8 @@ std::vector<const Run*> runs_to_show(const std::vector<Run>& runs, const CostAxi
     return found;
 }
 
-/// The cheapest run without an error, null if there is none. Of equal costs, one that is right for every scene.
+/// The cheapest run without an error, null if there is none. At the same cost, one that is right for every scene comes
+/// first.
 template <class Run>
 const Run* cheapest_right(const std::vector<const Run*>& runs, const CostAxis<Run>& cost, const ErrorAxis<Run>& error) {
     const auto place = [&](const Run* run) { return std::pair(*cost.of(*run), !run->way.kernel.is_always_right()); };

@@ -26,7 +26,7 @@ namespace {
 /// The last text of what a keeper hands over.
 constexpr const char *is_result = "result", *is_refusal = "refusal";
 
-/// Reads so many bytes; false if the other end is closed before.
+/// Reads `size` bytes; false if the other end is closed before.
 bool read_all(int line, char* to, std::size_t size) {
     while (size > 0) {
         const ssize_t part = read(line, to, size);
