@@ -93,7 +93,9 @@ TEST_CASE("The figure of a chart: no name covers another or a mark, none is cut 
     std::mt19937 random(4);
     for (int turn = 0; turn < 500; ++turn) {
         CAPTURE(turn);
-        const ChartPanel panel = random_panel(random);
+        ChartPanel panel = random_panel(random);
+        if (turn % 2 == 1) panel.title = "В трёх миллионах пикселей от начала координат (обычная)";
+        if (turn % 5 == 0) panel.least = 1.2345;
         const double width = turn % 3 == 0 ? 60 : turn % 3 == 1 ? 80 : 120;
         const Drawing figure = chart_figure({panel}, {turn % 2 == 0 ? Language::english : Language::russian}, width);
         const std::vector<Label> labels = labels_of(figure);
@@ -115,4 +117,20 @@ TEST_CASE("The figure of a chart names a scene of the course in its language") {
     const ChartPanel panel{.title = "Пять треугольников одной плоскости (вырожденная)", .cost = {}, .error = {}};
     CHECK(has(chart_figure({panel}, {Language::russian}, 80), "Пять треугольников"));
     CHECK(has(chart_figure({panel}, {Language::russian}, 80), "неверно"));
+}
+
+TEST_CASE("The figure of a chart is drawn of any numbers that a file may have") {
+    // Times and errors at both ends of the range of double.
+    SceneChart chart{.name = "Ends", .pixels = 1, .polygons = 1};
+    const double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+    for (const double end : {least, 1., largest}) {
+        ChartRun run{{Method::zbuffer, *kernel_named("float")}, {end, end, end, end}, {}};
+        run.found.depth_ulps = end;
+        chart.runs.push_back(run);
+    }
+    for (std::size_t error = 0; error < error_axes.size(); ++error) {
+        const Drawing figure = chart_figure({panel_of(chart, 0, error, Language::english)}, {}, 80);
+        CHECK(has(figure, "Z-buffer"));
+        CHECK(figure.height < 250);
+    }
 }

@@ -62,6 +62,7 @@ public:
         for (const int exponent : errors_.ticks(most_error_ticks))
             left_ = std::max(left_, text_width(tick_text(exponent, style.language), size));
         if (has_infinity_) left_ = std::max(left_, text_width(words_.no_number, size));
+        left_ = std::max(left_, text_width(least_text(), size));
         left_ += 1.5;
         across_ = width - left_ - 0.5;
         name_marks();
@@ -108,6 +109,14 @@ private:
     }
 
     bool is_right(double error) const { return error <= panel_.least; }
+    /// A picture may be right although its depths are not.
+    bool is_marked(const ChartMark& mark) const { return mark.is_cheapest && is_right(mark.error); }
+    /// To a hundredth.
+    std::string least_text() const {
+        std::string text = decimal(std::round(100 * panel_.least) / 100);
+        if (style_.language == Language::russian) std::ranges::replace(text, '.', ',');
+        return text;
+    }
     double text_width(std::string_view text, double of_size, bool bold = false) const {
         return width_of(text, of_size, bold) * style_.letters;
     }
@@ -193,7 +202,7 @@ private:
             const double most = 0.45 * across_ / style_.letters;
             for (const std::string& part : wrapped(line.text, small, most, most)) broken.push_back({part});
         }
-        const auto is_cheapest = [](const ChartMark* mark) { return mark->is_cheapest; };
+        const auto is_cheapest = [&](const ChartMark* mark) { return is_marked(*mark); };
         if (std::ranges::any_of(marks, is_cheapest)) broken.push_back({std::string(words_.cheapest), true});
         return broken;
     }
@@ -272,7 +281,8 @@ private:
     }
 
     void name_marks() {
-        for (const std::string& line : wrapped(panel_.title, size, drawing_.width, drawing_.width)) {
+        const double title_width = drawing_.width / style_.letters / 1.1;  // bold letters are wider
+        for (const std::string& line : wrapped(panel_.title, size, title_width, title_width)) {
             drawing_.add(Label{line, {0, top_ + em}, size, Anchor::start, true, ink});
             top_ += line_height;
         }
@@ -321,7 +331,7 @@ private:
             }
         }
         if (has_infinity_) tick(top_ + em, std::string(words_.no_number));
-        tick(right_line(), panel_.least == 0 ? "0" : decimal(panel_.least));
+        tick(right_line(), least_text());
         draw_line(right_line(), 0.4, faint);
         draw_line(divide(), 0.8, ink);
         drawing_.add(
@@ -351,7 +361,7 @@ private:
                 filled({{at.x, at.y - 1.2 * r}, {at.x + 1.1 * r, at.y + .8 * r}, {at.x - 1.1 * r, at.y + .8 * r}},
                        of_triangle);
         }
-        if (mark.is_cheapest) drawing_.add(Path{{circle(at, 1.9 * r)}, true, {}, Stroke{ink, 0.8}});
+        if (is_marked(mark)) drawing_.add(Path{{circle(at, 1.9 * r)}, true, {}, Stroke{ink, 0.8}});
     }
 
     void draw() {

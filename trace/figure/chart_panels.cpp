@@ -1,5 +1,6 @@
 // Which runs of a chart its figure shows, and in which words.
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -56,6 +57,12 @@ std::string charted_number(double value, Language language) {
     return text;
 }
 
+/// Beyond these powers the arithmetic of the scales would overflow. Zero and infinity have places of their own.
+double within_scale(double value) {
+    const bool is_number = value > 0 && value < std::numeric_limits<double>::infinity();
+    return is_number ? std::clamp(value, 1e-250, 1e250) : value;
+}
+
 bool is_compared(const NamedKernel& kernel) {
     constexpr std::array<std::string_view, 4> compared{"float", "double", "filtered", "exact"};
     return std::ranges::find(compared, kernel.choice->name) != compared.end();
@@ -106,7 +113,7 @@ std::vector<ChartMark> marks_of(const std::vector<const Run*>& chosen, const Cos
     std::vector<ChartMark> marks;
     for (const Run* run : chosen) {
         ChartMark mark = mark_of(*run);
-        mark.cost = *cost.of(*run) / least;
+        mark.cost = std::min(within_scale(*cost.of(*run) / least), 1e250);
         mark.kernel = run->way.kernel.choice->name;
         mark.is_cheapest = run == cheapest;
         marks.push_back(std::move(mark));
@@ -132,7 +139,7 @@ ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error
     const auto mark_of = [&](const ChartRun& run) {
         using enum ChartMark::Shape;
         const Method method = run.way.method;
-        return ChartMark{.error = error_axis.of(run) / whole,
+        return ChartMark{.error = within_scale(error_axis.of(run) / whole),
                          .way = charted_name(method, language),
                          .kernel = {},
                          .shape = method == Method::zbuffer   ? circle
@@ -172,7 +179,7 @@ ChartPanel panel_of(const SurfaceChart& surface, std::size_t cost, std::size_t e
         using enum ChartMark::Shape;
         const auto knob = run.way.knob;
         const auto pattern = !knob ? words.as_given : knob == SamplingKnob::samples ? words.samples : words.tolerance;
-        return ChartMark{.error = error_axis.of(run) / whole,
+        return ChartMark{.error = within_scale(error_axis.of(run) / whole),
                          .way = say::filled(pattern, {charted_number(run.way.value, language)}),
                          .kernel = {},
                          .shape = !knob                           ? circle
