@@ -31,7 +31,9 @@ std::string tick_text(int exponent, Language language) {
 class ChartScale {
 public:
     ChartScale(double least, double greatest) : least_(std::log10(least)), greatest_(std::log10(greatest)) {}
-    double at(double value) const { return (std::log10(value) - least_) / (greatest_ - least_); }
+    double at(double value) const { return at_power(std::log10(value)); }
+    /// Where ten to this power stands, which may be greater than any double.
+    double at_power(double exponent) const { return (exponent - least_) / (greatest_ - least_); }
     /// The powers of ten on it, at most `most`.
     std::vector<int> ticks(int most) const {
         const int first = int(std::ceil(least_ - 1e-9)), last = int(std::floor(greatest_ + 1e-9));
@@ -42,7 +44,9 @@ public:
     }
     /// Goes on to the right, so that what took its whole length takes this share.
     ChartScale taking(double share) const {
-        return {std::pow(10, least_), std::pow(10, least_ + (greatest_ - least_) / share)};
+        ChartScale longer = *this;
+        longer.greatest_ = least_ + (greatest_ - least_) / share;
+        return longer;
     }
 
 private:
@@ -310,7 +314,7 @@ private:
                                printed(Color{0xee, 0xf5, 0xf0}, style_.greyscale)));
         double end_of_tick = 0;
         for (const int exponent : costs_.ticks(most_cost_ticks)) {
-            const double x = left_ + costs_.at(std::pow(10, exponent)) * across_;
+            const double x = left_ + costs_.at_power(exponent) * across_;
             drawing_.add(Path{{{{x, top_}, {x, bottom}}}, false, {}, Stroke{pale, Stroke::hairline}});
             const std::string text = tick_text(exponent, style_.language);
             const double half = text_width(text, size) / 2;
