@@ -9,7 +9,6 @@
 #include "figure/encoded.h"
 #include "output.h"
 #include "page/page.h"
-#include "page/program.h"
 
 namespace vidno::cli {
 

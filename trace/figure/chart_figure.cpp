@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "say/numbers.h"
 #include "wrap.h"
 
 namespace vidno::figures {
@@ -20,10 +21,9 @@ const InEachLanguage<MarkWords> mark_words{
 std::string tick_text(int exponent, Language language) {
     constexpr int most = 5;
     if (std::abs(exponent) > most) return "1e" + std::to_string(exponent);
-    const bool is_russian = language == Language::russian;
-    if (exponent < 0) return std::string(is_russian ? "0," : "0.") + std::string(std::size_t(-exponent - 1), '0') + "1";
+    if (exponent < 0) return say::in_format("0." + std::string(std::size_t(-exponent - 1), '0') + "1", language);
     std::string text = "1" + std::string(std::size_t(exponent), '0');
-    if (exponent > 3) text.insert(text.size() - 3, is_russian ? "\u00a0" : ",");
+    if (exponent > 3) text.insert(text.size() - 3, language == Language::russian ? "\u00a0" : ",");
     return text;
 }
 
@@ -62,7 +62,6 @@ public:
           costs_(cost_scale()),
           errors_(error_scale()) {
         drawing_.width = width;
-        left_ = 0;
         for (const int exponent : errors_.ticks(most_error_ticks))
             left_ = std::max(left_, text_width(tick_text(exponent, style.language), size));
         if (has_infinity_) left_ = std::max(left_, text_width(words_.no_number, size));
@@ -117,9 +116,7 @@ private:
     bool is_marked(const ChartMark& mark) const { return mark.is_cheapest && is_right(mark.error); }
     /// To a hundredth.
     std::string least_text() const {
-        std::string text = decimal(std::round(100 * panel_.least) / 100);
-        if (style_.language == Language::russian) std::ranges::replace(text, '.', ',');
-        return text;
+        return say::in_format(decimal(std::round(100 * panel_.least) / 100), style_.language);
     }
     double text_width(std::string_view text, double of_size, bool bold = false) const {
         return width_of(text, of_size, bold) * style_.letters;
@@ -151,7 +148,6 @@ private:
     }
 
     double x_of(const ChartMark& mark) const { return left_ + costs_.at(mark.cost) * across_; }
-    /// Before the names of the right marks have their place, heights count from the top of the plot.
     double y_of(double error) const {
         if (is_right(error)) return right_line();
         if (error == infinity) return top_ + em;
@@ -266,15 +262,13 @@ private:
     }
 
     /// A name that finds no place comes first in the next turn.
-    bool has_placed_names() {
-        right_names_ = names_of(true);
+    bool has_placed_wrong_names() {
         wrong_names_ = names_of(false);
         dots_.clear();
         for (const ChartMark& mark : panel_.marks)
             dots_.push_back({x_of(mark) - radius, y_of(mark.error) - radius, 2 * radius, 2 * radius});
         for (std::size_t turn = 0; turn <= wrong_names_.size(); ++turn) {
             placed_.clear();
-            below_ = hang(right_names_) + 0.4 * em;
             taken_ = {{left_, divide() - 1.4 * em, text_width(words_.wrong, size, true) + em, 1.4 * em}};
             const auto lost =
                 std::ranges::find_if_not(wrong_names_, [&](const Name& name) { return has_placed(name); });
@@ -300,7 +294,9 @@ private:
         };
         for (int turn = 0; turn < 100 && std::ranges::any_of(names_of(true), sticks_out); ++turn)
             costs_ = costs_.taking(0.97);
-        while (!has_placed_names() && height_ < most_height) height_ += line_height;
+        while (!has_placed_wrong_names() && height_ < most_height) height_ += line_height;
+        right_names_ = names_of(true);
+        below_ = hang(right_names_) + 0.4 * em;
     }
 
     void draw_line(double y, double width, const Color& color) {

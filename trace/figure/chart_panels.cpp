@@ -6,6 +6,7 @@
 
 #include "chart_figure.h"
 #include "choice/method.h"
+#include "say/numbers.h"
 #include "say/words.h"
 #include "scene/scene_names.h"
 
@@ -13,54 +14,61 @@ namespace vidno::figures {
 
 namespace {
 
+struct AxisWords {
+    std::string_view name;  // as in files
+    Bilingual words;
+};
+
+constexpr std::array axis_words{
+    AxisWords{"time", {"time, times that of the fastest", "время относительно самого быстрого"}},
+    AxisWords{"operations", {"operations, times the fewest", "операции относительно наименьшего числа"}},
+    AxisWords{"bits", {"operations × bits, times the fewest", "операции × биты относительно наименьшего числа"}},
+    AxisWords{"samples", {"samples, times the fewest", "отсчёты относительно наименьшего числа"}},
+    AxisWords{"wrongPixels", {"wrong pixels, %", "неверные пиксели, %"}},
+    AxisWords{"wrongColumns", {"wrong columns, %", "неверные столбцы, %"}},
+    AxisWords{"area", {"area that differs, %", "площадь расхождения, %"}},
+    AxisWords{"height", {"height missed, pixels", "потерянная высота, пиксели"}},
+    AxisWords{"wrongDecisions", {"wrong decisions, %", "неверные решения, %"}},
+    AxisWords{"depthUlps", {"depth error, ulps", "ошибка глубины, ulp"}},
+};
+
+std::string words_of_axis(const auto& axis, Language language) {
+    return std::string(std::ranges::find(axis_words, axis.name, &AxisWords::name)->words.in(language));
+}
+
 struct PanelWords {
-    std::array<std::string_view, 3> scene_costs, surface_costs;  // in the order of the axes
-    std::array<std::string_view, 4> scene_errors;
-    std::array<std::string_view, 3> surface_errors;
     std::string_view warnock;  // also before the name of a variant
     std::string_view ordinary, degenerate, as_given, samples, tolerance;
 };
 
-const InEachLanguage<PanelWords> panel_words{
-    {.scene_costs = {"time, times that of the fastest", "operations, times the fewest",
-                     "operations × bits, times the fewest"},
-     .surface_costs = {"time, times that of the fastest", "operations, times the fewest", "samples, times the fewest"},
-     .scene_errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
-     .surface_errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
-     .warnock = "Warnock",
-     .ordinary = "ordinary",
-     .degenerate = "degenerate",
-     .as_given = "as given",
-     .samples = "{} samples",
-     .tolerance = "tolerance {} px"},
-    {.scene_costs = {"время относительно самого быстрого", "операции относительно наименьшего числа",
-                     "операции × биты относительно наименьшего числа"},
-     .surface_costs = {"время относительно самого быстрого", "операции относительно наименьшего числа",
-                       "отсчёты относительно наименьшего числа"},
-     .scene_errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
-     .surface_errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
-     .warnock = "Варнок",
-     .ordinary = "обычная",
-     .degenerate = "вырожденная",
-     .as_given = "как задано",
-     .samples = "отсчётов: {}",
-     .tolerance = "допуск {} px"}};
+const InEachLanguage<PanelWords> panel_words{{.warnock = "Warnock",
+                                              .ordinary = "ordinary",
+                                              .degenerate = "degenerate",
+                                              .as_given = "as given",
+                                              .samples = "{} samples",
+                                              .tolerance = "tolerance {} px"},
+                                             {.warnock = "Варнок",
+                                              .ordinary = "обычная",
+                                              .degenerate = "вырожденная",
+                                              .as_given = "как задано",
+                                              .samples = "отсчётов: {}",
+                                              .tolerance = "допуск {} px"}};
 
 std::string charted_name(Method method, Language language) {
     const std::string title(choice_of(method).title.in(language)), warnock(panel_words.in(language).warnock);
     return method == Method::warnock ? warnock : is_family(method) ? warnock + ", " + title : title;
 }
 
-std::string charted_number(double value, Language language) {
-    std::string text = decimal(value);
-    if (language == Language::russian) std::ranges::replace(text, '.', ',');
-    return text;
-}
-
 /// Beyond these powers the arithmetic of the scales would overflow. Zero and infinity have places of their own.
 double within_scale(double value) {
     const bool is_number = value > 0 && value < std::numeric_limits<double>::infinity();
     return is_number ? std::clamp(value, 1e-250, 1e250) : value;
+}
+
+/// An error as the figure shows it: a distance as it is, a share of all decisions or of the whole picture in per cent.
+double shown_error(std::string_view axis, double value, std::size_t whole) {
+    if (axis == "depthUlps" || axis == "height") return within_scale(value);
+    return within_scale(axis == "wrongDecisions" ? 100 * value : 100 * value / double(whole));
 }
 
 bool is_compared(const NamedKernel& kernel) {
@@ -133,13 +141,10 @@ ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error
     auto chosen = with_property(runs, is_of_lecture);
     add_if_any(chosen, cheapest_right(with_property(runs, is_other), cost_axis, error_axes.front()));
 
-    const double whole = error_axis.name == "depthUlps"        ? 1
-                         : error_axis.name == "wrongDecisions" ? .01
-                                                               : double(scene.pixels) / 100;
     const auto mark_of = [&](const ChartRun& run) {
         using enum ChartMark::Shape;
         const Method method = run.way.method;
-        return ChartMark{.error = within_scale(error_axis.of(run) / whole),
+        return ChartMark{.error = shown_error(error_axis.name, error_axis.of(run), scene.pixels),
                          .way = charted_name(method, language),
                          .kernel = {},
                          .shape = method == Method::zbuffer   ? circle
@@ -148,9 +153,9 @@ ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error
     };
     return {.title = name_in(language, scene.name) + " (" +
                      std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")",
-            .cost = std::string(words.scene_costs[cost]),
-            .error = std::string(words.scene_errors[error]),
-            .least = error_axis.name == "area" ? scene.area / whole : 0,
+            .cost = words_of_axis(cost_axis, language),
+            .error = words_of_axis(error_axis, language),
+            .least = error_axis.name == "area" ? shown_error(error_axis.name, scene.area, scene.pixels) : 0,
             .marks = marks_of(chosen, cost_axis, error_axes.front(), mark_of)};
 }
 
@@ -172,23 +177,20 @@ ChartPanel panel_of(const SurfaceChart& surface, std::size_t cost, std::size_t e
                cheapest_right(with_property(sampled, std::not_fn(is_dense)), cost_axis, surface_error_axes.front()));
     add_if_any(chosen, cheapest_right(by(SamplingKnob::tolerance), cost_axis, surface_error_axes.front()));
 
-    const double whole = error_axis.name == "height"           ? 1
-                         : error_axis.name == "wrongDecisions" ? .01
-                                                               : double(surface.columns) / 100;
     const auto mark_of = [&](const SurfaceChartRun& run) {
         using enum ChartMark::Shape;
         const auto knob = run.way.knob;
         const auto pattern = !knob ? words.as_given : knob == SamplingKnob::samples ? words.samples : words.tolerance;
-        return ChartMark{.error = within_scale(error_axis.of(run) / whole),
-                         .way = say::filled(pattern, {charted_number(run.way.value, language)}),
+        return ChartMark{.error = shown_error(error_axis.name, error_axis.of(run), surface.columns),
+                         .way = say::filled(pattern, {say::in_format(decimal(run.way.value), language)}),
                          .kernel = {},
                          .shape = !knob                           ? circle
                                   : knob == SamplingKnob::samples ? square
                                                                   : triangle};
     };
     return {.title = name_in(language, surface.name),
-            .cost = std::string(words.surface_costs[cost]),
-            .error = std::string(words.surface_errors[error]),
+            .cost = words_of_axis(cost_axis, language),
+            .error = words_of_axis(error_axis, language),
             .least = 0,
             .marks = marks_of(chosen, cost_axis, surface_error_axes.front(), mark_of)};
 }

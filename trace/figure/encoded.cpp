@@ -12,17 +12,15 @@ Format format_of(const std::string& output) {
     throw Refused(output + ": not .svg, .pdf, .png or .tex");
 }
 
-std::string encoded(const std::string& svg, const About& about, const std::string& output, int dots_an_inch) {
-    switch (format_of(output)) {
+std::string encoded(const Drawing& drawing, const About& about, const std::string& output, int dots_an_inch) {
+    const Format format = format_of(output);
+    if (format == Format::tikz) return tikz_of(drawing, about);
+    const std::string svg = svg_of(drawing, about);
+    switch (format) {
         case Format::pdf: return pdf_of({svg}, about);
         case Format::png: return png_of(svg, dots_an_inch);
         default: return svg;
     }
-}
-
-std::string encoded(const Drawing& drawing, const About& about, const std::string& output, int dots_an_inch) {
-    if (format_of(output) == Format::tikz) return tikz_of(drawing, about);
-    return encoded(svg_of(drawing, about), about, output, dots_an_inch);
 }
 
 }  // namespace vidno::figures

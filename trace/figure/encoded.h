@@ -12,9 +12,6 @@ Format format_of(const std::string& output);
 
 inline constexpr int usual_dots_an_inch = 300;
 
-/// Converts an existing SVG, but not to TikZ.
-std::string encoded(const std::string& svg, const About& about, const std::string& output,
-                    int dots_an_inch = usual_dots_an_inch);
 std::string encoded(const Drawing& drawing, const About& about, const std::string& output,
                     int dots_an_inch = usual_dots_an_inch);
 

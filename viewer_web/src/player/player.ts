@@ -846,8 +846,8 @@ export class PlayerElement extends StageElement {
     const veiled = isOpen || isForced;
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
-    const verdict = verdictOn(trace, view, this.exact, check);
     const greeting = this.welcome ? welcomeOn(trace, view, this.exact) : null;
+    const verdict = greeting === null ? verdictOn(trace, view, this.exact, check) : null;
     const said = greeting ?? `${verdict ?? ''} ${this.welcome ? '' : view.sentence}`;
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     // The finished picture alone, before anyone asks for a step.
