@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# Installs the Debian packages in a bare Debian 12, and uses them as a reader of the README would. Needs root and a Debian mirror.
+# Installs the Debian packages in a bare Debian 12, and uses them as a reader of the README would, and a cluster. Needs root and a Debian
+# mirror.
 # debian.sh FOLDER-OF-PACKAGES
 set -euo pipefail
 packages=$(cd "$1" && pwd)
-consumer=$(cd "$(dirname "${BASH_SOURCE[0]}")/../consumer" && pwd)
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+consumer=$(cd "$here/../consumer" && pwd)
 root=$(mktemp -d)
 chmod 755 "$root"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
 leave() {
+    umount --recursive "$root/sys" 2>/dev/null || true
     umount "$root/dev/pts" "$root/proc" 2>/dev/null || true
     rm -rf --one-file-system "$root"
 }
@@ -56,3 +59,12 @@ run "cmake -S consumer -B built -G Ninja -DCMAKE_BUILD_TYPE=Release -DVIDNO_VERS
 # The picture is that of consumer/run.cmake.
 [[ $(grep -c '^tttt\.\.\.\.$' "$root/consumer.txt") == 2 ]]
 echo "== Both packages work"
+
+echo "== A campaign of the package on Slurm"
+printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d" # no package starts a daemon here
+chmod +x "$root/usr/sbin/policy-rc.d"
+inside apt-get install -y -q --no-install-recommends slurm-wlm slurmdbd munge mariadb-server procps | tail -n 1
+mount --rbind /sys "$root/sys" # slurmd looks for control groups
+mount --make-rslave "$root/sys"
+cp "$here/slurm.sh" "$root"
+inside bash /slurm.sh /usr/bin/vidno
