@@ -50,6 +50,25 @@ TEST_CASE("surfaces: replay --step, and the state as JSON") {
     CHECK(program("replay " + trace + " -o " + work.file("all.jsonl")).status == 0);
 }
 
+TEST_CASE("surfaces: a trace ends at a condition, and a search finds curves that meet one") {
+    const Workplace work;
+    const std::string surface = work.write("s.json", crossing);
+    REQUIRE(program("trace " + surface + " -o " + work.file("whole.jsonl")).status == 0);
+    const auto cut = program("trace " + surface + " --until 'FH8 > 0' -o " + work.file("cut.jsonl"));
+    CHECK(cut.status == 1);
+    CHECK(has(cut.text, "(--until FH8 > 0)"));
+    const std::string text = work.read("cut.jsonl");
+    const std::string steps = text.substr(0, text.rfind("{\"end\""));
+    CHECK(work.read("whole.jsonl").starts_with(steps));
+    CHECK(has(steps.substr(steps.rfind('\n', steps.size() - 2)), R"("at":"FH8")"));
+    CHECK(program("trace " + surface + " --until 'windows > 0' -o " + work.file("no.jsonl")).text ==
+          "vidno: --method floating-horizon: windows is only for polygons\n");
+
+    REQUIRE(program("find 'FH8 > 0 && curves == 2' -o " + work.file("found.json")).status == 0);
+    CHECK(json::parse(work.read("found.json")).at("name") == "FH8 > 0 && curves == 2");
+    CHECK(program("trace " + work.file("found.json") + " --until 'FH8 > 0' -o " + work.file("b.jsonl")).status == 1);
+}
+
 TEST_CASE("surfaces: a changed, truncated or partial trace is detected") {
     const Workplace work;
     const std::string surface = work.write("s.json", crossing);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "find/measures.h"
@@ -104,48 +105,87 @@ TEST_CASE("pixels are counted for each polygon, although colours are equal") {
     CHECK(value_of("pixels(A)", exact_scene::admit(std::move(scene))) == 15);
 }
 
-TEST_CASE("a condition determines a method that has its lines") {
-    CHECK(method_for(Condition("windows > 1")) == Method::warnock);
-    CHECK(method_for(Condition("Z16 > 0")) == Method::zbuffer);
-    CHECK_THROWS_AS(method_for(Condition("Z16 > 0 && W7 > 0")), Refused);
-    CHECK_THROWS_AS(expect_suits(Condition("Z16 > 0"), Method::warnock), Refused);
-    CHECK_THROWS_AS(expect_suits(Condition("wrong(depth:8) > 0"), Method::warnock), Refused);
+TEST_CASE("what the names of a condition measure in curves") {
+    // The farther curve rises out of the nearer one between the columns 0 and 1, and meets it again on column 2.
+    const AdmittedCurves curves = admit(CurveScene{{0, 0, 3, 4}, {{{{0, 2}, {2, 2}}}, {{{0, 2.5}, {1, 1}, {2, 2}}}}});
+    const auto value = [&](const std::string& name) {
+        return measured(Condition(name), curves, kernel_of(KernelKind::exact)).front();
+    };
+    CHECK(value("curves") == 2);
+    CHECK(value("samples") == 5);
+    CHECK(value("coordinates") == 5);  // halves
+    CHECK(value("FH4") == 2);
+    CHECK(value("FH5") == 4);  // two columns of each curve
+    CHECK(value("wrong(double)") == 0);
+    CHECK(value("zeros") > 0);
 }
 
-TEST_CASE("a trace until a condition ends with the step that meets it") {
+TEST_CASE("a condition determines a method that has its names") {
+    CHECK(method_for(Condition("windows > 1")) == "warnock");
+    CHECK(method_for(Condition("Z16 > 0")) == "zbuffer");
+    CHECK(method_for(Condition("FH8 > 0")) == "floating-horizon");
+    CHECK(method_for(Condition("curves > 1")) == "floating-horizon");
+    CHECK_THROWS_AS(method_for(Condition("Z16 > 0 && W7 > 0")), Refused);
+    CHECK_THROWS_AS(method_for(Condition("FH8 > 0 && windows > 0")), Refused);
+    CHECK_THROWS_AS(expect_suits(Condition("Z16 > 0"), "warnock"), Refused);
+    CHECK_THROWS_AS(expect_suits(Condition("wrong(depth:8) > 0"), "warnock"), Refused);
+    CHECK_THROWS_AS(expect_suits(Condition("wrong(depth:8) > 0"), "floating-horizon"), Refused);
+}
+
+TEST_CASE("a trace until a condition is the beginning of the whole trace, and ends with the step that meets it") {
     const AdmittedScene scene = scene_of({far_square, nearer_corner}, 4, 4);
     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
-        RunRequest request{Method::warnock, kernel_of(KernelKind::binary64), Edition::corrected, scene, detail};
-        const auto last = events_until("W13 == 2", request);
-        REQUIRE(last);
-        std::uint64_t events = 0, splits = 0;
-        FunctionSink sink([&](const EventView& event) {
-            const auto* decide = event.get_if<event::Decide>();
-            splits += decide && decide->which == Case::split ? 1 : 0;
-            if (++events == *last) CHECK((decide && splits == 2));
-        });
-        request.sink = &sink;
-        traced_run(request);
-        CHECK(events > *last);
-        CHECK_FALSE(events_until("windows > 9", request));
-        CHECK(events_until("polygons == 2", request).value_or(2) <= 1);  // the first is of level polygons
-        CHECK_THROWS_AS(events_until("zeros > 0", request), Refused);
+        const RunRequest request{Method::warnock, kernel_of(KernelKind::binary64), Edition::corrected, scene, detail};
+        const auto traced = [&](const std::string& until) {
+            std::string text;
+            TraceWriter writer(TraceHeader{request.method, request.edition, request.kernel.name(), detail, scene},
+                               [&](std::string_view part) { text += part; });
+            const bool whole = until.empty() ? write_trace(request, writer) : write_trace_until(until, request, writer);
+            return std::pair{whole, text};
+        };
+        const auto events_of = [](const std::string& text) { return text.substr(0, text.rfind("{\"end\"")); };
+        const auto [is_whole, whole] = traced("");
+        REQUIRE(is_whole);
+        const auto [second_is_whole, second] = traced("W13 == 2");
+        CHECK_FALSE(second_is_whole);
+        const std::string begin = events_of(second);
+        CHECK(whole.starts_with(begin));
+        // The second window is split at its last step.
+        CHECK(begin.substr(begin.rfind('\n', begin.size() - 2) + 1).find("\"at\":\"W13\"") != std::string::npos);
+        CHECK(second.ends_with("\"partial\":true}}\n"));
+        CHECK(traced("windows > 9") == std::pair{true, whole});
+        // It is met from the beginning, by the first step, which is not of level windows.
+        const std::string first = traced("polygons == 2").second;
+        CHECK(std::count(first.begin(), first.end(), '\n') == (detail == Detail::windows ? 2 : 3));
+        CHECK_THROWS_AS(traced("zeros > 0"), Refused);
     }
 }
 
 TEST_CASE("a search finds the same small scene again") {
     const Condition condition("W12 > 0 && windows == 1");
-    const auto found = search({condition, Method::warnock}).found;
+    const auto found = search({condition, "warnock"}).found;
     REQUIRE(found);
-    CHECK(SceneSize(*found).polygons() == 1);
-    CHECK(SceneSize(*found).vertices() == 3);
-    CHECK(condition.is_met(measured(condition, *found, Method::warnock, kernel_of(KernelKind::exact))));
-    CHECK(search({condition, Method::warnock}).found == found);
+    const auto& scene = std::get<AdmittedScene>(*found);
+    CHECK(SceneSize(*scene).parts() == 1);
+    CHECK(SceneSize(*scene).points() == 3);
+    CHECK(condition.is_met(measured(condition, scene, Method::warnock, kernel_of(KernelKind::exact))));
+    CHECK(search({condition, "warnock"}).found == found);
+}
+
+TEST_CASE("a search finds curves for the lines of the floating horizon") {
+    // Two curves that cross: the farther one leaves one horizon between two columns.
+    const Condition condition("FH8 > 0");
+    const auto found = search({condition, method_for(condition)}).found;
+    REQUIRE(found);
+    const auto& curves = std::get<Surface>(*found).curves;
+    CHECK(SceneSize(*curves).parts() == 2);
+    CHECK(SceneSize(*curves).points() == 4);
+    CHECK(condition.is_met(measured(condition, curves, kernel_of(KernelKind::exact))));
 }
 
 TEST_CASE("a search that finds nothing says which parts were never met") {
     const Condition condition("W5 > 0 && polygons == 1 && splits > 0 && windows < 0");
-    SearchRequest request{condition, Method::warnock};
+    SearchRequest request{condition, "warnock"};
     request.seconds = 0.5;
     const SearchReport report = search(request);
     CHECK_FALSE(report.found);

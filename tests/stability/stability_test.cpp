@@ -501,21 +501,32 @@ TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows
 }
 
 TEST_CASE("A witness meets the condition on its scene: the one of all, if it does, or else another") {
-    const Campaign campaign{"1.0.0", 1, 60, {"neighbours"}, {"float"}, {"zbuffer"}};
-    const auto polygons_of_witness = [&](const Property& where) -> std::optional<std::size_t> {
-        const auto text =
-            witness(campaign, family_of("neighbours"), experiment_of("moved-0"), 0, "zbuffer", "float", where, [] {});
-        if (!text) return std::nullopt;
-        return std::get<AdmittedScene>(*read_failure(*text, "witness.json").scene)->polygons.size();
+    struct Failing {
+        std::string family, method;
     };
-    const auto has = [](std::size_t polygons) {
-        return [polygons](const AdmittedScene& scene) { return scene->polygons.size() == polygons; };
+    const auto parts_of = [](const AnyScene& scene) {
+        const auto* surface = std::get_if<Surface>(&scene);
+        return surface ? surface->curves->curves.size() : std::get<AdmittedScene>(scene)->polygons.size();
     };
-    const auto least = polygons_of_witness({});
-    REQUIRE(least);
-    CHECK(polygons_of_witness(has(*least)) == least);
-    CHECK_FALSE(polygons_of_witness(has(1000)));
-    // All scenes of the family have more polygons than the witness, so this one keeps what the condition asks for.
-    const auto of_more = [&](const AdmittedScene& scene) { return scene->polygons.size() > *least; };
-    CHECK(polygons_of_witness(of_more) == *least + 1);
+    for (const auto& [family, method] :
+         {Failing{"neighbours", "zbuffer"}, Failing{"horizon-ties", "floating-horizon"}}) {
+        CAPTURE(family);
+        const Campaign campaign{"1.0.0", 1, 60, {family}, {"float"}, {method}};
+        const auto parts_of_witness = [&](const Where& where) -> std::optional<std::size_t> {
+            const auto text =
+                witness(campaign, family_of(family), experiment_of("moved-1"), 0, method, "float", where, [] {});
+            if (!text) return std::nullopt;
+            return parts_of(*read_failure(*text, "witness.json").scene);
+        };
+        const auto has = [&](std::size_t parts) {
+            return [&parts_of, parts](const AnyScene& scene) { return parts_of(scene) == parts; };
+        };
+        const auto least = parts_of_witness({});
+        REQUIRE(least);
+        CHECK(parts_of_witness(has(*least)) == least);
+        CHECK_FALSE(parts_of_witness(has(1000)));
+        // All scenes of the family have more parts than the witness, so this one keeps what the condition asks for.
+        const auto of_more = [&](const AnyScene& scene) { return parts_of(scene) > *least; };
+        CHECK(parts_of_witness(of_more) == *least + 1);
+    }
 }

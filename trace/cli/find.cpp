@@ -12,6 +12,7 @@
 #include "find/search.h"
 #include "output.h"
 #include "scene/scene_json.h"
+#include "scene/surface.h"
 #include "stability/shrink.h"
 
 namespace vidno::cli {
@@ -48,7 +49,7 @@ void print_wrapped(const std::string& text, std::size_t column) {
 int print_names() {
     std::cout << "Names of a condition:\n";
     constexpr std::size_t column = 18;
-    for (const auto& [name, says, argument, grows, of_scene] : quantities) {
+    for (const auto& [name, says, of, argument, grows, of_scene] : quantities) {
         const std::string form = std::string(name) + (argument.empty() ? "" : "(" + std::string(argument) + ")");
         std::cout << "  " << std::left << std::setw(int(column) - 2) << form;
         print_wrapped(std::string(says), column);
@@ -59,7 +60,6 @@ int print_names() {
     for (std::size_t i = 0; i < line_names.size(); ++i) {
         const Line line = Line(i);
         const auto methods = methods_with(line);
-        if (methods == std::vector<std::string>{std::string(floating_horizon_method)}) continue;
         std::cout << "  " << line_names[i] << (is_counted(line) ? ": " : "  ") << text_of(line) << "  [";
         for (std::size_t method = 0; method < methods.size(); ++method) {
             std::cout << (method > 0 ? ", " : "") << methods[method];
@@ -80,10 +80,12 @@ std::string values_of(const Condition& condition, const std::vector<double>& val
 }
 
 /// How much was searched, and which parts of the condition were not met.
-void say_not_found(const Condition& condition, const SearchReport& report) {
+void say_not_found(const Condition& condition, std::string_view method, const SearchReport& report) {
+    const bool of_curves = method == floating_horizon_method;
     std::cerr << "not found: " << counted(report.scenes, "scene", "scenes") << " tried, with up to "
-              << counted(report.most_polygons, "polygon", "polygons") << " in areas of up to " << report.widest << " x "
-              << report.widest << " pixels\n";
+              << (of_curves ? counted(report.most_parts_drawn, "curve", "curves")
+                            : counted(report.most_parts_drawn, "polygon", "polygons"))
+              << " in areas of up to " << report.widest << " x " << report.widest << " pixels\n";
     const auto& parts = condition.parts();
     bool all_alone = true;
     for (std::size_t part = 0; part < parts.size(); ++part) {
@@ -100,12 +102,37 @@ void say_not_found(const Condition& condition, const SearchReport& report) {
     std::cerr << '\n';
 }
 
+/// What is written, in the exact run's values; how large it is, in words.
+struct Found {
+    std::vector<double> values;
+    std::string json, size;
+};
+
+std::string size_of(const Area& area) {
+    return ", " + std::to_string(area.width) + " x " + std::to_string(area.height) + " pixels";
+}
+
+Found found_from(const Condition& condition, std::string_view method, const AdmittedScene& scene) {
+    Scene named = scene;
+    named.name = condition.text();
+    return {measured(condition, scene, method_named(method), kernel_of(KernelKind::exact)), scene_json(named),
+            counted(named.polygons.size(), "polygon", "polygons") + ", " +
+                counted(vertices_of(named), "vertex", "vertices") + size_of(named.area)};
+}
+
+Found found_from(const Condition& condition, std::string_view, const Surface& surface) {
+    const AdmittedCurves& curves = surface.curves;
+    return {measured(condition, curves, kernel_of(KernelKind::exact)), surface_json({condition.text(), curves}),
+            counted(curves->curves.size(), "curve", "curves") + ", " +
+                counted(sample_count(curves), "sample", "samples") + size_of(curves->area)};
+}
+
 int find(const FindOptions& options) {
     if (options.list) return print_names();
     if (options.condition.empty()) throw Refused("CONDITION is required (vidno find --help)");
     if (options.output.empty()) throw Refused("-o is required: say where to write the scene");
     const Condition condition(options.condition);
-    const Method method = options.method ? Method(place_in(method_names, *options.method)) : method_for(condition);
+    const std::string method(options.method ? *options.method : method_for(condition));
     expect_suits(condition, method);
     OutputFile file(options.output);
     Progress progress("scenes tried");
@@ -114,24 +141,21 @@ int find(const FindOptions& options) {
     SearchReport report = search(request);
     progress.clear();
     if (!report.found) {
-        say_not_found(condition, report);
+        say_not_found(condition, method, report);
         return 1;
     }
-    Scene found = *report.found;
-    found.name = options.condition;
-    const auto values = measured(condition, *report.found, method, kernel_of(KernelKind::exact));
-    if (!condition.is_met(values)) {
-        std::cerr << "the run in exact arithmetic does not meet the condition: " << values_of(condition, values)
+    const Found found =
+        std::visit([&](const auto& scene) { return found_from(condition, method, scene); }, *report.found);
+    if (!condition.is_met(found.values)) {
+        std::cerr << "the run in exact arithmetic does not meet the condition: " << values_of(condition, found.values)
                   << '\n';
         return 1;
     }
-    file.write(scene_json(found) + '\n');
+    file.write(found.json + '\n');
     file.commit();
-    std::cerr << values_of(condition, values) << '\n'
-              << "--method " << method_names[std::size_t(method)] << ": "
-              << counted(found.polygons.size(), "polygon", "polygons") << ", "
-              << counted(vertices_of(found), "vertex", "vertices") << ", " << found.area.width << " x "
-              << found.area.height << " pixels; " << counted(report.scenes, "scene", "scenes") << " tried\n";
+    std::cerr << values_of(condition, found.values) << '\n'
+              << "--method " << method << ": " << found.size << "; " << counted(report.scenes, "scene", "scenes")
+              << " tried\n";
     return 0;
 }
 
@@ -143,19 +167,21 @@ void add_find(CLI::App& program, int& status) {
     command.add_option("CONDITION", options->condition, "An expression, such as 'PW7 > 0 && windows <= 13'");
     command.add_flag("--list", options->list, "Explain all names of a condition");
     command
-        .add_option("--method", options->method, "The algorithm [the first one that has the lines of the condition]")
-        ->check(CLI::IsMember(words(method_names)));
+        .add_option("--method", options->method, "The algorithm [the first one that has the names of the condition]")
+        ->check(CLI::IsMember(all_methods()));
     command.add_option("--seed", options->seed, "The seed; another seed may find another scene")->capture_default_str();
     command.add_option("--seconds", options->seconds, "Search no longer than this")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
     command.add_option("-o", options->output, "The scene, .json; - for standard output");
     command.footer(
-        "The smallest scene has the fewest polygons, then the fewest vertices, then the smallest area, then the\n"
-        "smallest numbers. A found scene is run again in exact arithmetic, and the values of the names are printed.\n"
+        "The smallest scene has the fewest polygons or curves, then the fewest vertices or samples, then the smallest\n"
+        "area, then the smallest numbers. A found scene is run again in exact arithmetic, and the values of the names\n"
+        "are printed.\n"
         "Examples:\n"
         "  vidno find 'PW7 > 0 && windows <= 13' -o scene.json\n"
         "  vidno find 'wrong(float) > 0 && polygons <= 2 && coordinates <= 64' -o scene.json\n"
+        "  vidno find 'FH8 > 0 && curves == 2' -o surface.json\n"
         "Exit status 1: nothing was found; standard error says how much was searched, and what was never met.");
     command.callback([options, &status] { status = find(*options); });
 }

@@ -193,21 +193,23 @@ int verdict(const Results& results) {
 }
 
 /// Whether the right run of a scene by the method meets the condition; empty without one.
-Property meets(const std::string& text, const std::string& method) {
+Where meets(const std::string& text, const std::string& method) {
     if (text.empty()) return {};
     const auto condition = std::make_shared<const Condition>(text);
-    return [condition, method = Method(place_in(method_names, method))](const AdmittedScene& scene) {
-        return condition->is_met(measured(*condition, scene, method, kernel_of(KernelKind::filtered)));
+    const NamedKernel right = kernel_of(KernelKind::filtered);
+    return [=](const AnyScene& scene) {
+        if (const auto* surface = std::get_if<Surface>(&scene)) {
+            return condition->is_met(measured(*condition, surface->curves, right));
+        }
+        return condition->is_met(measured(*condition, std::get<AdmittedScene>(scene), method_named(method), right));
     };
 }
 
-/// Refuses what is no condition, or does not suit a method. Curves meet none.
+/// Refuses what is no condition, or does not suit a method.
 void expect_condition(const std::string& text, const std::vector<std::string>& methods) {
     if (text.empty()) return;
     const Condition condition(text);
-    for (const auto& method : methods) {
-        if (method != floating_horizon_method) expect_suits(condition, Method(place_in(method_names, method)));
-    }
+    for (const auto& method : methods) expect_suits(condition, method);
 }
 
 /// Writes a file for each family, method and kernel that painted wrong pictures and may be wrong.

@@ -38,7 +38,9 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     };
     TraceWriter writer(header, write, options.most_events);
     running = &writer;
-    const bool whole = options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
+    const bool whole = options.check           ? write_checked_trace(request, writer)
+                       : options.until.empty() ? write_trace(request, writer)
+                                               : write_trace_until(options.until, request, writer);
     progress.clear();
     file.commit();
     Losses losses;
@@ -53,19 +55,15 @@ int write_traced(const auto& header, const auto& request, const TraceOptions& op
     return losses.report();
 }
 
-int trace_scene(TraceOptions options, const AdmittedScene& given) {
+int trace_scene(const TraceOptions& options, const AdmittedScene& given) {
     const NamedKernel kernel = kernel_of(options);
     const AdmittedScene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     const RunRequest request = request_of(options, kernel, scene);
-    if (!options.until.empty()) {
-        options.most_events = events_until(options.until, request).value_or(TraceWriter::no_limit);
-    }
     return write_traced(TraceHeader{request.method, request.edition, kernel.name(), request.detail, scene}, request,
                         options);
 }
 int trace_scene(const TraceOptions& options, const Surface& surface) {
-    if (!options.until.empty()) throw Refused("--until: only for polygons");
     const FloatingHorizonRequest request = request_of(options, surface);
     return write_traced(FloatingHorizonHeader{request.edition, request.kernel.name(), request.detail, surface}, request,
                         options);

@@ -24,6 +24,8 @@ enum class Quantity : unsigned char {
     events,
     polygons,
     vertices,
+    curves,
+    samples,
     coordinates,
     pixels,
     wrong,
@@ -31,9 +33,13 @@ enum class Quantity : unsigned char {
     ulps
 };
 
+/// The scenes that a quantity is of.
+enum class QuantityOf : unsigned char { all, polygons, curves };
+
 struct QuantityChoice {
     std::string_view name;
     std::string_view says;
+    QuantityOf of = QuantityOf::all;
     std::string_view argument{};  // in parentheses
     bool grows = false;           // it is known while a run goes on, and does not fall
     bool of_scene = false;        // it is known without a run
@@ -49,20 +55,31 @@ inline constexpr std::array quantities{
     QuantityChoice{
         .name = "windows",
         .says = "the windows that Warnock's algorithm takes from its stack; for Weiler and Atherton's, lists",
+        .of = QuantityOf::polygons,
         .grows = true},
-    QuantityChoice{.name = "splits", .says = "the windows that are split", .grows = true},
-    QuantityChoice{
-        .name = "depth_of_stack", .says = "the most windows, or lists, that are on the stack at once", .grows = true},
+    QuantityChoice{.name = "splits", .says = "the windows that are split", .of = QuantityOf::polygons, .grows = true},
+    QuantityChoice{.name = "depth_of_stack",
+                   .says = "the most windows, or lists, that are on the stack at once",
+                   .of = QuantityOf::polygons,
+                   .grows = true},
     QuantityChoice{.name = "events", .says = "the steps of a trace of level signs", .grows = true},
-    QuantityChoice{.name = "polygons", .says = "the polygons of the scene", .of_scene = true},
-    QuantityChoice{.name = "vertices", .says = "the vertices of all polygons", .of_scene = true},
+    QuantityChoice{
+        .name = "polygons", .says = "the polygons of the scene", .of = QuantityOf::polygons, .of_scene = true},
+    QuantityChoice{
+        .name = "vertices", .says = "the vertices of all polygons", .of = QuantityOf::polygons, .of_scene = true},
+    QuantityChoice{.name = "curves", .says = "the curves of the surface", .of = QuantityOf::curves, .of_scene = true},
+    QuantityChoice{.name = "samples", .says = "the samples of all curves", .of = QuantityOf::curves, .of_scene = true},
     QuantityChoice{.name = "coordinates",
                    .says = "the greatest whole number that is needed to write the vertices, x and y in units of the "
-                           "coarsest 1/2^k that suits all, z in units of its own",
+                           "coarsest 1/2^k that suits all, z in units of its own; or the heights of curves",
                    .of_scene = true},
-    QuantityChoice{.name = "pixels", .says = "the pixels that show the polygon with this id", .argument = "ID"},
+    QuantityChoice{.name = "pixels",
+                   .says = "the pixels that show the polygon with this id",
+                   .of = QuantityOf::polygons,
+                   .argument = "ID"},
     QuantityChoice{.name = "wrong",
-                   .says = "the pixels that the same run paints wrong under this kernel, such as float or bits:9",
+                   .says = "the pixels that the same run paints wrong under this kernel, such as float or bits:9; for "
+                           "curves, the columns over which it draws a hidden one, or does not draw a visible one",
                    .argument = "KERNEL"},
     QuantityChoice{.name = "zeros", .says = "the decisions that rest on an exact coincidence"},
     QuantityChoice{.name = "ulps",
@@ -92,6 +109,8 @@ public:
     Condition(Condition&&) noexcept;
     Condition& operator=(Condition&&) noexcept;
 
+    /// As it was given.
+    const std::string& text() const;
     /// The names in it, each once.
     const std::vector<Name>& names() const;
     /// What && joins, as it is written.

@@ -76,9 +76,14 @@ double wrong_pixels(const NamedKernel& kernel, Method method, const AdmittedScen
     return double(different_pixels(run({method, kernel, Edition::corrected, own}), right));
 }
 
+double wrong_columns(const NamedKernel& kernel, const AdmittedCurves& scene, const DrawnLines& right) {
+    const DrawnLines drawn = run(FloatingHorizonRequest{kernel, Edition::corrected, scene});
+    return double(different_columns(columns_drawn(drawn, scene), columns_drawn(right, scene)));
+}
+
 /// The number of zeros, and the narrowest of the other decisions.
-std::pair<double, double> narrow_decisions(const RunRequest& request) {
-    FindingList findings(choice_of(request.method).procedure, request.scene->area, 1, 0);
+std::pair<double, double> narrow_decisions(const auto& request, Procedure procedure) {
+    FindingList findings(procedure, request.scene->area, 1, 0);
     find_in(request, findings);
     double narrowest = std::numeric_limits<double>::infinity(), zeros = 0;
     for (const Finding& each : findings.findings()) {
@@ -86,6 +91,62 @@ std::pair<double, double> narrow_decisions(const RunRequest& request) {
     }
     for (const auto& each : findings.zeros()) zeros += double(each.count);
     return {zeros, narrowest};
+}
+
+bool asks_for(const Condition& condition, auto... any) {
+    const auto& names = condition.names();
+    return std::any_of(names.begin(), names.end(), [&](const Name& name) { return ((name.quantity == any) || ...); });
+}
+
+bool asks_for_run(const Condition& condition) {
+    const auto& names = condition.names();
+    return !std::all_of(names.begin(), names.end(), [](const Name& name) { return name.choice().of_scene; });
+}
+
+std::vector<double> values_of_scene(const Condition& condition, const auto& scene) {
+    std::vector<double> values;
+    for (const Name& name : condition.names()) values.push_back(of_scene(name, scene));
+    return values;
+}
+
+/// Runs the request, and reads each name's value. `pixels` and `wrong` take a name's argument and the run's result.
+std::vector<double> values_of_run(const Condition& condition, auto request, Procedure procedure, const auto& pixels,
+                                  const auto& wrong) {
+    RunCounts counts;
+    FunctionSink sink([&](const EventView& event) { counts.hear(event); });
+    auto traced = request;
+    traced.detail = Detail::signs;
+    traced.sink = &sink;
+    const auto result = run(traced);
+    std::pair<double, double> decisions;
+    if (asks_for(condition, Quantity::zeros, Quantity::ulps)) decisions = narrow_decisions(request, procedure);
+    std::vector<double> values;
+    for (const Name& name : condition.names()) {
+        switch (name.quantity) {
+            case Quantity::pixels: values.push_back(pixels(name.argument, result)); break;
+            case Quantity::wrong: values.push_back(wrong(name.kernel, result)); break;
+            case Quantity::zeros: values.push_back(decisions.first); break;
+            case Quantity::ulps: values.push_back(decisions.second); break;
+            default: values.push_back(name.choice().of_scene ? of_scene(name, request.scene) : counts.of(name));
+        }
+    }
+    return values;
+}
+
+/// Why a name does not suit a run of the method; empty if it does.
+std::string unsuitable(const Name& name, std::string_view method) {
+    const bool is_of_curves = method == floating_horizon_method;
+    if (name.quantity == Quantity::line) {
+        return lists_line(method, name.line) ? "" : "its listings have no line " + name.text();
+    }
+    if (name.choice().of == (is_of_curves ? QuantityOf::polygons : QuantityOf::curves)) {
+        return name.text() + " is only for " + (is_of_curves ? "polygons" : "curves");
+    }
+    if (name.quantity != Quantity::wrong) return "";
+    const KernelChoice& kernel = *name.kernel.choice;
+    const bool runs = is_of_curves ? kernel.runs_floating_horizon(Edition::corrected)
+                                   : kernel.runs(method_named(method), Edition::corrected);
+    return runs ? "" : "not under the kernel of " + name.text();
 }
 
 }  // namespace
@@ -136,64 +197,52 @@ double of_scene(const Name& name, const Scene& scene) {
     return SceneSize(scene).coordinate();
 }
 
-void expect_suits(const Condition& condition, Method method) {
-    const std::string named = "--method " + std::string(method_names[std::size_t(method)]);
+double of_scene(const Name& name, const CurveScene& scene) {
+    if (name.quantity == Quantity::curves) return double(scene.curves.size());
+    if (name.quantity == Quantity::samples) return double(sample_count(scene));
+    return SceneSize(scene).coordinate();
+}
+
+Method method_named(std::string_view name) {
+    return Method(std::find(method_names.begin(), method_names.end(), name) - method_names.begin());
+}
+
+void expect_suits(const Condition& condition, std::string_view method) {
     for (const Name& name : condition.names()) {
-        if (name.quantity == Quantity::line && !lists_line(method_names[std::size_t(method)], name.line)) {
-            throw Refused(named + ": its listings have no line " + name.text());
-        }
-        if (name.quantity == Quantity::wrong && !name.kernel.choice->runs(method, Edition::corrected)) {
-            throw Refused(named + ": not under the kernel of " + name.text());
-        }
+        const std::string why = unsuitable(name, method);
+        if (!why.empty()) throw Refused("--method " + std::string(method) + ": " + why);
     }
 }
 
-Method method_for(const Condition& condition) {
-    for (std::size_t i = 0; i < method_names.size(); ++i) {
-        const auto is_in = [&](const Name& name) {
-            return name.quantity != Quantity::line || lists_line(method_names[i], name.line);
-        };
-        if (std::all_of(condition.names().begin(), condition.names().end(), is_in)) return Method(i);
+std::string_view method_for(const Condition& condition) {
+    const auto suits = [&](std::string_view method) {
+        return std::all_of(condition.names().begin(), condition.names().end(),
+                           [&](const Name& name) { return unsuitable(name, method).empty(); });
+    };
+    for (const std::string_view method : method_names) {
+        if (suits(method)) return method;
     }
-    throw Refused("no method for polygons has all lines of the condition");
+    if (suits(floating_horizon_method)) return floating_horizon_method;
+    throw Refused("no method has all names of the condition");
 }
 
 std::vector<double> measured(const Condition& condition, const AdmittedScene& given, Method method,
                              const NamedKernel& kernel) {
-    const auto& names = condition.names();
-    const auto asks = [&](auto... any) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const Name& name) { return ((name.quantity == any) || ...); });
-    };
-    const auto is_of_run = [](const Name& name) { return !name.choice().of_scene; };
-    std::vector<double> values;
-    if (std::none_of(names.begin(), names.end(), is_of_run)) {
-        for (const Name& name : names) values.push_back(of_scene(name, given));
-        return values;
-    }
+    if (!asks_for_run(condition)) return values_of_scene(condition, given);
+    const bool shows_colors = asks_for(condition, Quantity::pixels, Quantity::wrong);
+    const AdmittedScene scene = shows_colors && !has_own_colors(given) ? distinguishable(given) : given;
+    return values_of_run(
+        condition, RunRequest{method, kernel, Edition::corrected, scene}, choice_of(method).procedure,
+        [&](const std::string& id, const Picture& picture) { return pixels_showing(id, scene, picture); },
+        [&](const NamedKernel& by, const Picture& picture) { return wrong_pixels(by, method, scene, picture); });
+}
 
-    const bool recolored = asks(Quantity::pixels, Quantity::wrong) && !has_own_colors(given);
-    const AdmittedScene scene = recolored ? distinguishable(given) : given;
-    RunCounts counts;
-    FunctionSink sink([&](const EventView& event) { counts.hear(event); });
-    const Picture picture = run({method, kernel, Edition::corrected, scene, Detail::signs, &sink});
-    std::pair<double, double> decisions;
-    if (asks(Quantity::zeros, Quantity::ulps)) {
-        decisions = narrow_decisions({method, kernel, Edition::corrected, scene, Detail::signs});
-    }
-    for (const Name& name : names) {
-        switch (name.quantity) {
-            case Quantity::polygons:
-            case Quantity::vertices:
-            case Quantity::coordinates: values.push_back(of_scene(name, scene)); break;
-            case Quantity::pixels: values.push_back(pixels_showing(name.argument, scene, picture)); break;
-            case Quantity::wrong: values.push_back(wrong_pixels(name.kernel, method, scene, picture)); break;
-            case Quantity::zeros: values.push_back(decisions.first); break;
-            case Quantity::ulps: values.push_back(decisions.second); break;
-            default: values.push_back(counts.of(name));
-        }
-    }
-    return values;
+std::vector<double> measured(const Condition& condition, const AdmittedCurves& scene, const NamedKernel& kernel) {
+    if (!asks_for_run(condition)) return values_of_scene(condition, scene);
+    return values_of_run(
+        condition, FloatingHorizonRequest{kernel, Edition::corrected, scene}, Procedure::floating_horizon,
+        [](const std::string&, const DrawnLines&) { return 0.; },  // expect_suits refuses it
+        [&](const NamedKernel& by, const DrawnLines& lines) { return wrong_columns(by, scene, lines); });
 }
 
 std::string text_of(Line line) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "find/condition.h"
 #include "format/event_sink.h"
-#include "vidno/admitted.h"
-#include "vidno/method.h"
+#include "scene/surface.h"
 
 namespace vidno {
 
@@ -42,18 +42,26 @@ private:
 
 /// A quantity that needs no run.
 double of_scene(const Name& name, const Scene& scene);
+double of_scene(const Name& name, const CurveScene& scene);
 
-/// Throws Refused if a name does not suit a run of the method: it has no such line, or the kernel of `wrong` does not
-/// run it.
-void expect_suits(const Condition& condition, Method method);
+// Methods have the names of the command line: those of Method, and `floating-horizon` for curves.
 
-/// The first method that has all lines of the condition, Warnock's if it can be. Throws Refused if none has.
-Method method_for(const Condition& condition);
+/// The method for polygons of this name, which must be one.
+Method method_named(std::string_view name);
+
+/// Throws Refused if a name does not suit a run of the method: it has no such line or quantity, or the kernel of
+/// `wrong` does not run it.
+void expect_suits(const Condition& condition, std::string_view method);
+
+/// The first method that suits the condition, Warnock's if it can be. Throws Refused if none does.
+std::string_view method_for(const Condition& condition);
 
 /// The values of the condition's names, in their order. The method must suit the condition and take the scene. The
 /// kernel must be one that is always right and does not snap: `filtered` or `exact`.
 std::vector<double> measured(const Condition& condition, const AdmittedScene& scene, Method method,
                              const NamedKernel& kernel);
+/// Those of curves, which the floating horizon draws.
+std::vector<double> measured(const Condition& condition, const AdmittedCurves& scene, const NamedKernel& kernel);
 
 /// The text of a line in a listing, in English.
 std::string text_of(Line line);

@@ -39,4 +39,18 @@ SceneSize::SceneSize(const Scene& scene) {
                std::max(across.greatest, deep.greatest), across.sum + deep.sum};
 }
 
+SceneSize::SceneSize(const CurveScene& scene) {
+    std::vector<double> heights;
+    std::size_t samples = 0;
+    for (const auto& curve : scene.curves) {
+        samples += curve.samples.size();
+        for (const auto& sample : curve.samples) {
+            if (sample.has_point()) heights.push_back(sample.y);
+        }
+    }
+    const InUnits up(heights);
+    numbers = {double(scene.curves.size()), double(samples), double(scene.area.width) * scene.area.height, up.greatest,
+               up.sum};
+}
+
 }  // namespace vidno

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "vidno/floating_horizon/curves.h"
 #include "vidno/scene.h"
 
 namespace vidno {
@@ -12,12 +13,13 @@ struct SceneSize {
     std::array<double, 5> numbers{};
 
     explicit SceneSize(const Scene& scene);
+    explicit SceneSize(const CurveScene& scene);
 
-    double polygons() const { return numbers[0]; }
-    double vertices() const { return numbers[1]; }
+    double parts() const { return numbers[0]; }   // polygons or curves
+    double points() const { return numbers[1]; }  // vertices or samples
     double pixels() const { return numbers[2]; }  // of the area
     /// The greatest coordinate: x and y in units of the coarsest 1/2^k of which all are multiples, z in units of its
-    /// own.
+    /// own; for curves, only y.
     double coordinate() const { return numbers[3]; }
     /// All coordinates, added up in these units.
     double coordinates() const { return numbers[4]; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "choice/method.h"
+#include "find/lattice_curves.h"
 #include "find/lattice_scenes.h"
 #include "find/measures.h"
 #include "find/scene_size.h"
@@ -18,10 +19,43 @@ namespace {
 constexpr std::size_t most_best = 24;            // of the best scenes
 constexpr std::uint64_t least_patience = 20000;  // scenes tried after the last success
 
+/// Scenes of polygons for a method.
+struct Polygons {
+    using Scene = AdmittedScene;
+    Method method;
+
+    std::optional<AdmittedScene> fresh(RandomPolygons& random, const Lattice& lattice) const {
+        return choice_of(method).takes_closed_bodies ? random_body(random, lattice) : lattice_scene(random, lattice);
+    }
+    bool takes(const AdmittedScene& scene) const { return !refusal_of(method, scene); }
+    std::vector<double> measured(const Condition& condition, const AdmittedScene& scene) const {
+        return vidno::measured(condition, scene, method, kernel_of(KernelKind::filtered));
+    }
+    /// The scene as it is shown.
+    static AdmittedScene named(const AdmittedScene& scene) { return lettered(scene); }
+    static AnyScene any(const AdmittedScene& scene) { return scene; }
+};
+
+/// Curves for the floating horizon.
+struct Curves {
+    using Scene = AdmittedCurves;
+
+    static std::optional<AdmittedCurves> fresh(RandomPolygons& random, const Lattice& lattice) {
+        return lattice_curves(random, lattice);
+    }
+    static bool takes(const AdmittedCurves& scene) { return !scene->curves.empty(); }
+    static std::vector<double> measured(const Condition& condition, const AdmittedCurves& scene) {
+        return vidno::measured(condition, scene, kernel_of(KernelKind::filtered));
+    }
+    static AdmittedCurves named(const AdmittedCurves& scene) { return scene; }
+    static AnyScene any(const AdmittedCurves& scene) { return Surface{{}, scene}; }
+};
+
+template <class Kind>
 class Search {
 public:
-    explicit Search(const SearchRequest& request)
-        : request_(request), random_(std::mt19937(std::uint32_t(request.seed ^ request.seed >> 32))) {
+    Search(const SearchRequest& request, const Kind& kind)
+        : request_(request), kind_(kind), random_(std::mt19937(std::uint32_t(request.seed ^ request.seed >> 32))) {
         report_.met.resize(request.condition.parts().size());
         report_.met_by_best.resize(report_.met.size());
     }
@@ -29,7 +63,7 @@ public:
     SearchReport run() {
         while (!is_over()) {
             if (kept_.empty() || random_.whole(0, 2) == 0) {
-                try_out(fresh());
+                try_out(kind_.fresh(random_, lattice()));
             } else {
                 // The better ones are changed more often.
                 const int last = int(kept_.size()) - 1;
@@ -37,15 +71,16 @@ public:
                 try_out(changed_scene(parent.scene, random_, lattice()));
             }
         }
-        if (!kept_.empty() && kept_.front().distance == 0) report_.found = kept_.front().scene;
+        if (!kept_.empty() && kept_.front().distance == 0) report_.found = kind_.any(kept_.front().scene);
         return std::move(report_);
     }
 
 private:
     using Clock = std::chrono::steady_clock;
+    using Scene = typename Kind::Scene;
 
     struct Kept {
-        AdmittedScene scene;
+        Scene scene;
         double distance;
         SceneSize size;
 
@@ -69,7 +104,7 @@ private:
         const int grown = int(std::log2(1 + double(report_.scenes) / first_scenes));
         Lattice lattice = Lattice::of_growth(grown);
         report_.widest = std::max(report_.widest, lattice.widest);
-        report_.most_polygons = std::max(report_.most_polygons, std::size_t(lattice.most_polygons));
+        report_.most_parts_drawn = std::max(report_.most_parts_drawn, std::size_t(lattice.most_polygons));
         // Once a scene is found, half of the scenes have no greater numbers than the smallest.
         constexpr double small = 8;
         const bool is_found = last_success_ > 0;
@@ -77,24 +112,19 @@ private:
             const SceneSize& least = kept_.front().size;
             const Area& area = kept_.front().scene->area;
             lattice.widest = std::max(area.width, area.height);
-            lattice.most_polygons = int(least.polygons());
+            lattice.most_polygons = int(least.parts());
             lattice.greatest = std::max(1, int(least.coordinate()) - random_.whole(0, 1));
             lattice.is_coarse = true;
         }
         return lattice;
     }
 
-    std::optional<AdmittedScene> fresh() {
-        const Lattice of = lattice();
-        return choice_of(request_.method).takes_closed_bodies ? random_body(random_, of) : lattice_scene(random_, of);
-    }
-
     /// Measures a scene; true if it meets the condition.
-    bool measure(const AdmittedScene& scene, double& distance) {
+    bool measure(const Scene& scene, double& distance) {
         ++report_.scenes;
         request_.progress(report_.scenes);
         const Condition& condition = request_.condition;
-        const auto values = measured(condition, scene, request_.method, kernel_of(KernelKind::filtered));
+        const auto values = kind_.measured(condition, scene);
         distance = condition.distance(values);
         std::vector<bool> met;
         for (std::size_t part = 0; part < report_.met.size(); ++part) {
@@ -109,10 +139,8 @@ private:
         return distance == 0;
     }
 
-    bool is_taken(const Scene& scene) const { return !refusal_of(request_.method, scene); }
-
-    void try_out(const std::optional<AdmittedScene>& scene) {
-        if (!scene || !is_taken(*scene)) return;
+    void try_out(const std::optional<Scene>& scene) {
+        if (!scene || !kind_.takes(*scene)) return;
         double distance = 0;
         const bool is_met = measure(*scene, distance);
         Kept kept{*scene, distance, SceneSize(*scene)};
@@ -136,15 +164,16 @@ private:
     /// Shrinks the first scene that was found; changes make it smaller still.
     void shrink() {
         double distance = 0;
-        const AdmittedScene smallest = shrunk(kept_.front().scene, [&](const AdmittedScene& smaller) {
-            return !is_out_of_time() && is_taken(smaller) && measure(lettered(smaller), distance);
+        const Scene smallest = shrunk(kept_.front().scene, [&](const Scene& smaller) {
+            return !is_out_of_time() && kind_.takes(smaller) && measure(kind_.named(smaller), distance);
         });
-        const AdmittedScene scene = lettered(smallest);
+        const Scene scene = kind_.named(smallest);
         keep({scene, 0, SceneSize(scene)});
         last_success_ = report_.scenes;
     }
 
     const SearchRequest& request_;
+    Kind kind_;
     RandomPolygons random_;
     SearchReport report_;
     std::vector<Kept> kept_;  // the best first
@@ -154,6 +183,9 @@ private:
 
 }  // namespace
 
-SearchReport search(const SearchRequest& request) { return Search(request).run(); }
+SearchReport search(const SearchRequest& request) {
+    if (request.method == floating_horizon_method) return Search(request, Curves{}).run();
+    return Search(request, Polygons{method_named(request.method)}).run();
+}
 
 }  // namespace vidno

@@ -1,17 +1,16 @@
-/// Until: the step of a run at which a condition is first met.
+/// Until: traces of runs that end at the step at which a condition is met.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
-#include "run/run.h"
+#include "run/write_trace.h"
 
 namespace vidno {
 
-/// The number of events of the request's level until the condition is met, with the one that meets it; none if the run
-/// never meets it. Throws Refused for a text that is no condition, and for names that are known only once a run has
-/// ended.
-std::optional<std::uint64_t> events_until(const std::string& condition, RunRequest request);
+/// Traces a run until the condition is met, with the step that meets it. A step of a finer level than the request's
+/// counts too, but is not written. False if the run was cut short there. Throws Refused for a text that is no condition
+/// of such a run, and for names that are known only once a run has ended.
+bool write_trace_until(const std::string& condition, const RunRequest& request, TraceWriter& writer);
+bool write_trace_until(const std::string& condition, const FloatingHorizonRequest& request, TraceWriter& writer);
 
 }  // namespace vidno

@@ -74,42 +74,41 @@ std::string failure_of(const std::string& scene, const Family& family, const std
 
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
                                    std::uint64_t first, const std::string& method, const std::string& kernel,
-                                   const Property& where, const std::function<void()>& progress) {
+                                   const Where& where, const std::function<void()>& progress) {
     const NamedKernel named = *kernel_named(kernel);
-    const auto tried = std::find(method_names.begin(), method_names.end(), method);
-    const auto wrong_in = [&](const AdmittedScene& scene) {
-        progress();
-        return wrong_pixel(scene, Method(tried - method_names.begin()), named);
-    };
-    const auto of_scene = [&](const AdmittedScene& scene) {
-        const auto wrong = wrong_in(scene);
-        return wrong && where && !where(scene) ? std::nullopt : wrong;
-    };
+    const auto meets = [&](const AnyScene& scene) { return !where || where(scene); };
     bool is_first = true;
-    const auto of_curves = [&](const AdmittedCurves& scene) {
-        progress();
-        return where ? std::nullopt : wrong_column(scene, named);
+    // The smallest scene that is wrong and meets the condition, with the first error.
+    const auto smallest = [&]<class T>(const T& scene, const auto& any,
+                                       const auto& wrong_in) -> std::optional<std::pair<T, WrongPlace>> {
+        const auto wrong = [&](const T& tried) {
+            progress();
+            return wrong_in(tried);
+        };
+        if (!wrong(scene)) return std::nullopt;
+        // Every witness begins as a larger scene. The one kept without a condition may meet it once it is small.
+        const bool from_begin = meets(any(scene));
+        if (!from_begin && !std::exchange(is_first, false)) return std::nullopt;
+        const T least = shrunk(scene, [&](const T& smaller) {
+            return wrong(smaller).has_value() && (!from_begin || meets(any(smaller)));
+        });
+        if (!meets(any(least))) return std::nullopt;
+        return std::pair{least, *wrong(least)};
     };
     for (std::uint64_t trial = first; trial < campaign.count; ++trial) {
         const TrialScenes scenes = scenes_of(campaign.seed, family, experiment, trial);
         if (const auto* curves = std::get_if<AdmittedCurves>(&scenes)) {
-            if (!of_curves(*curves)) continue;
-            const AdmittedCurves smallest =
-                shrunk(*curves, [&](const AdmittedCurves& smaller) { return of_curves(smaller).has_value(); });
-            return failure_of(surface_json({std::string(family.name), smallest}), family, method, kernel, "column",
-                              *of_curves(smallest));
+            const auto surface = [&](const AdmittedCurves& each) { return Surface{std::string(family.name), each}; };
+            const auto found =
+                smallest(*curves, surface, [&](const AdmittedCurves& each) { return wrong_column(each, named); });
+            if (!found) continue;
+            return failure_of(surface_json(surface(found->first)), family, method, kernel, "column", found->second);
         }
-        const AdmittedScene& scene = std::get<std::vector<AdmittedScene>>(scenes).front();
-        if (!wrong_in(scene)) continue;
-        // Every witness begins as a larger scene. The one kept without a condition may meet it once it is small.
-        const bool meets = !where || where(scene);
-        if (!meets && !std::exchange(is_first, false)) continue;
-        const AdmittedScene smallest = shrunk(scene, [&](const AdmittedScene& smaller) {
-            return (meets ? of_scene(smaller) : wrong_in(smaller)).has_value();
-        });
-        if (const auto pixel = of_scene(smallest)) {
-            return failure_of(scene_json(smallest), family, method, kernel, "pixel", *pixel);
-        }
+        const auto tried = Method(std::find(method_names.begin(), method_names.end(), method) - method_names.begin());
+        const auto same = [](const AdmittedScene& each) { return each; };
+        const auto found = smallest(std::get<std::vector<AdmittedScene>>(scenes).front(), same,
+                                    [&](const AdmittedScene& each) { return wrong_pixel(each, tried, named); });
+        if (found) return failure_of(scene_json(found->first), family, method, kernel, "pixel", found->second);
     }
     return std::nullopt;
 }

@@ -5,18 +5,19 @@
 #include <optional>
 #include <string>
 
+#include "scene/surface.h"
 #include "stability/campaign.h"
-#include "stability/shrink.h"
 
 namespace vidno {
 
+using Where = std::function<bool(const AnyScene&)>;
+
 /// Takes the first failing trial, from `first` on, of an experiment that moves coordinates: the method paints a wrong
 /// pixel, or draws a wrong column of a curve. Its scene is shrunk and returned as the text of a file `vidno-failure/1`;
-/// none if there is no such trial. `method` and `kernel` are names in the campaign. `where`, if it is not empty, is a
-/// property that the result must have, too; curves lack it. `progress` is called at each scene that is
-/// run.
+/// none if there is no such trial. `method` and `kernel` are names in the campaign. The result must also
+/// satisfy `where`, if that is not empty. `progress` is called at each scene that is run.
 std::optional<std::string> witness(const Campaign& campaign, const Family& family, const Experiment& experiment,
                                    std::uint64_t first, const std::string& method, const std::string& kernel,
-                                   const Property& where, const std::function<void()>& progress);
+                                   const Where& where, const std::function<void()>& progress);
 
 }  // namespace vidno
