@@ -242,6 +242,7 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     CHECK(refused("\"curves\"", "\"planes\"") == "s.json: \"curves\" is missing\ns.json: /planes: unknown key");
     CHECK(refused("x + z", "x + y") == "s.json: /function: y: the formula gives its value; there are x, z, pi and e");
     CHECK(refused("x + z", "x #\\n") == "s.json: /function: #: not understood");
+    CHECK(refused("\"x + z\"", "5") == "s.json: /function: not a string");
     CHECK(refused("x + z", "sqrt(-1 - x^2)") == "s.json: /function: not finite at any sample");
     CHECK(refused("[0,4]", "[4,4]") == "s.json: /x: the two numbers are equal");
     CHECK(refused("\"curves\":3", "\"curves\":1") == "s.json: /curves: not from 2 to 4096");

@@ -53,8 +53,9 @@ SurfaceView read_view(const JsonNode& node) {
 }
 
 HeightFunction read_expression(const JsonNode& node) {
+    const std::string formula(node.text());
     try {
-        return height_function(node.text());
+        return height_function(formula);
     } catch (const Refused& refused) {
         node.refuse(printable(refused.what()));
     }
