@@ -29,6 +29,25 @@ grep -qF "\"version\": \"$version\"" "$work/package/package.json" || fail "The p
 groff -man -Tutf8 -ww -z "$work/vidno.1" 2>"$work/warnings"
 [[ ! -s $work/warnings ]] || fail "groff warns: $(<"$work/warnings")"
 
+# What ./dev release says of a clone that is no release.
+if git rev-parse --git-dir >/dev/null 2>&1; then
+    git clone -q . "$work/clone"
+    refused() {
+        local said
+        ! said=$(cd "$work/clone" && ./dev release "$1" 2>&1) || fail "./dev release $1 was not refused"
+        [[ $said == *"$2"* ]] || fail "./dev release $1: $said"
+    }
+    refused '' 'X.Y.Z'
+    refused 1.2 'X.Y.Z'
+    refused "9$version" "states version $version"
+    sed -i '/^## 0/,$d' "$work/clone/CHANGELOG.md"
+    refused "$version" 'not committed'
+    git -C "$work/clone" -c user.name=test -c user.email=test@localhost commit -qam 'Drop the changes of all versions'
+    refused "$version" "no changes under $version"
+    git -C "$work/clone" tag "v$version"
+    refused "$version" "tag v$version exists"
+fi
+
 # What bash would propose for the last of the words.
 "$program" describe bash >"$work/completion"
 proposed() {
