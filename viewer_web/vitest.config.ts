@@ -4,7 +4,7 @@ import { defineConfig } from 'vitest/config';
 export default defineConfig({
   test: {
     include: ['src/**/*.test.ts'],
-    setupFiles: ['src/app/algorithms.ts', 'src/testing/engine.ts'],
+    setupFiles: ['src/app/algorithms.ts', 'src/testing/engine.ts', 'src/testing/streams.ts'],
     // By default, one processor stays idle.
     maxWorkers: availableParallelism(),
     minWorkers: 1,
