@@ -102,15 +102,15 @@ describe('a run of curves', () => {
   it('shows what is switched on', async () => {
     const { page } = await openHills();
     await goTo(page, stepOf(/"curve":3/) + 20);
-    const looks = ['visible', 'in-hand', 'upper', 'lower', 'flag', 'side-edge', 'looked-at'];
+    const looks = ['visible', 'current', 'upper', 'lower', 'flag', 'side-edge', 'looked-at'];
     for (const look of looks) expect([look, await shapes(page, look)]).not.toEqual([look, 0]);
     await page.getByLabel('horizons', { exact: true }).uncheck();
     expect(await shapes(page, 'upper')).toBe(0);
     await page.keyboard.press('l');
     expect(await shapes(page, 'visible')).toBe(1);
-    expect(await shapes(page, 'in-hand')).toBe(0);
+    expect(await shapes(page, 'current')).toBe(0);
     await page.keyboard.press('l');
-    expect(await shapes(page, 'in-hand')).toBe(1);
+    expect(await shapes(page, 'current')).toBe(1);
   });
 
   it('has no pixels, no 3D view and no exact picture', async () => {

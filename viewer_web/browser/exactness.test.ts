@@ -89,8 +89,8 @@ describe('the right answer', () => {
     await page.locator('vidno-side button.exact').click();
 
     // SurroundTest puts the centre of pixel (4, 6) on the wrong side of an edge.
-    const [told = 0] = await wrongOnes(page);
-    for (const step of [told - 1, told]) {
+    const [wrong = 0] = await wrongOnes(page);
+    for (const step of [wrong - 1, wrong]) {
       await goTo(page, step);
       await expect.poll(() => panel(page, 'dd.computed').textContent()).toBe('negative');
       expect(await panel(page, 'dd.exact').textContent()).toBe('positive');
@@ -121,8 +121,8 @@ describe('the lens', () => {
     const page = await failing('orientation-inverted');
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
-    const [told = 0] = await wrongOnes(page);
-    await goTo(page, told - 1);
+    const [wrong = 0] = await wrongOnes(page);
+    await goTo(page, wrong - 1);
     await page.locator('h1').click();
     await page.keyboard.press('x');
     const read = page.locator('vidno-lens p');
@@ -133,7 +133,7 @@ describe('the lens', () => {
     await page.keyboard.press('ArrowLeft');
     await page.keyboard.press('ArrowDown');
     expect(await read.textContent()).toMatch(/^x −1, y \+1 ulp: /u);
-    expect((await run(page)).lines.length).toBeGreaterThan(told); // the arrow keys select a place and do not step
+    expect((await run(page)).lines.length).toBeGreaterThan(wrong); // the arrow keys select a place and do not step
     await page.locator('vidno-lens canvas').hover({ position: { x: 2, y: 2 } });
     expect(await read.textContent()).toMatch(/^x −24, y −24 ulp: /u);
     expect(await violations(page)).toEqual([]);
@@ -177,8 +177,8 @@ describe('the lens', () => {
     const page = await failing('depth-by-an-ulp', '#lang=ru');
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
-    const [told = 0] = await wrongOnes(page);
-    await goTo(page, told);
+    const [wrong = 0] = await wrongOnes(page);
+    await goTo(page, wrong);
     await page.locator('h1').click();
     await page.keyboard.press('x');
     await expect

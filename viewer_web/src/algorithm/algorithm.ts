@@ -71,7 +71,7 @@ export interface Algorithm {
   readonly sums: readonly Sum[];
   /** The events that occur at most once for each current item: runs are paired by these steps. */
   readonly landmarks: readonly EventName[];
-  landmark(event: Event, inHand: string): string | null;
+  landmark(event: Event, current: string): string | null;
 }
 
 const algorithms = new Map<Method, Algorithm>();

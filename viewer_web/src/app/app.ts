@@ -36,7 +36,7 @@ import { namesNothing, parseAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import '../solid/solid-element.js';
 import { contents, reader } from './beside.js';
-import type { Told } from './beside.js';
+import type { PageBeside } from './beside.js';
 import { Breaking } from './breaking.js';
 import { heading, invitation, notices } from './heading.js';
 import { Messages } from './messages.js';
@@ -414,7 +414,7 @@ const tourAddress = '#tour';
 
 /** The page: lessons, the reader's own files, and the player. */
 @customElement('vidno-app')
-export class AppElement extends LitElement implements Shown, Told {
+export class AppElement extends LitElement implements Shown, PageBeside {
   static override styles = [tokens, base, appStyle];
 
   @state() setup: Setup = {
@@ -733,7 +733,7 @@ export class AppElement extends LitElement implements Shown, Told {
         ?open=${trace !== null}
         ?comparing=${rival.chosen !== null}
         ?alone=${this.isAsked}
-        ?told=${this.hasText && !isCompared}
+        ?has-text=${this.hasText && !isCompared}
         ?reading=${this.isReading}
         view=${this.view}
         .editing=${live.editing === null ? null : this.isEdited}

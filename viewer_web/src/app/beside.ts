@@ -11,7 +11,7 @@ import type { Reading } from './reading.js';
 import type { Session } from './session.js';
 
 /** What the page shows beside the run: the lessons, and the text of one of them. */
-export interface Told {
+export interface PageBeside {
   readonly lessons: readonly Lesson[];
   readonly session: Session;
   readonly setup: Setup;
@@ -26,7 +26,7 @@ export interface Told {
 }
 
 /** The lessons, and the headings of the current text. */
-export function contents(page: Told): TemplateResult {
+export function contents(page: PageBeside): TemplateResult {
   const { lessons, session, setup, reading } = page;
   const { language } = setup;
   return html`<vidno-lesson-list
@@ -50,7 +50,7 @@ export function contents(page: Told): TemplateResult {
 }
 
 /** The text of the lesson. */
-export function reader(page: Told): TemplateResult {
+export function reader(page: PageBeside): TemplateResult {
   const { lessons, setup, reading } = page;
   return html`<vidno-divider
       class="fold"

@@ -53,8 +53,8 @@ const namedIn = (page: Document): readonly string[] =>
 
 /** Lets the page that frames this one move the run, and tells it each step from its first message on. */
 export class Messages implements ReactiveController {
-  private told: ShownMessage | null = null;
-  private teller: ((message: ShownMessage) => void) | null = null;
+  private sent: ShownMessage | null = null;
+  private post: ((message: ShownMessage) => void) | null = null;
 
   constructor(
     host: ReactiveControllerHost,
@@ -73,16 +73,16 @@ export class Messages implements ReactiveController {
 
   hostUpdated(): void {
     const player = this.player();
-    if (player === null || this.teller === null) return;
+    if (player === null || this.post === null) return;
     const { step, first, last } = player;
-    const { told } = this;
-    if (told?.step === step && told.first === first && told.last === last) return;
+    const { sent } = this;
+    if (sent?.step === step && sent.first === first && sent.last === last) return;
     this.tell(player);
   }
 
   private tell({ step, first, last }: Moved): void {
-    this.told = { vidno: 'shown', step, first, last };
-    this.teller?.(this.told);
+    this.sent = { vidno: 'shown', step, first, last };
+    this.post?.(this.sent);
   }
 
   private readonly onMessage = ({ data, origin, source }: MessageEvent<unknown>): void => {
@@ -92,7 +92,7 @@ export class Messages implements ReactiveController {
     const player = this.player();
     if (request === null || player === null) return;
     const to = ofFiles.includes(origin) ? '*' : origin;
-    this.teller = (message) => window.parent.postMessage(message, to);
+    this.post = (message) => window.parent.postMessage(message, to);
     if (request.vidno === 'go') player.moveTo(request.step);
     else if (request.vidno !== 'what') {
       player.moveTo(player.step + (request.vidno === 'next' ? 1 : -1));

@@ -156,7 +156,7 @@ export class PageHeaderElement extends LitElement {
   @property({ type: Boolean }) comparing = false;
   @property({ type: Boolean }) alone = false;
   /** Whether the lesson has a text, and whether that text is shown. */
-  @property({ type: Boolean, reflect: true }) told = false;
+  @property({ type: Boolean, reflect: true, attribute: 'has-text' }) hasText = false;
   @property({ type: Boolean }) reading = false;
   @property() view: PageView = 'lesson';
   /** Whether the scene is being edited; null where it cannot be. */
@@ -197,7 +197,7 @@ export class PageHeaderElement extends LitElement {
   }
 
   private text(): TemplateResult | typeof nothing {
-    if (!this.told) return nothing;
+    if (!this.hasText) return nothing;
     const { reader } = texts[this.language];
     return this.button({
       ask: 'text',

@@ -96,9 +96,9 @@ export class Reading {
 
   /** The previous or next lesson with a text. */
   neighbour(by: 1 | -1): Lesson | null {
-    const told = this.lessons.filter(({ story }) => story !== undefined);
-    const own = told.findIndex((each) => each === this.lesson);
-    return own < 0 ? null : (told[own + by] ?? null);
+    const withText = this.lessons.filter(({ story }) => story !== undefined);
+    const own = withText.findIndex((each) => each === this.lesson);
+    return own < 0 ? null : (withText[own + by] ?? null);
   }
 
   /** The reader has scrolled on. If the run follows, it goes to the pin reached. */

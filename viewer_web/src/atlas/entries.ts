@@ -16,7 +16,7 @@ export const entryKinds: readonly FailureKind[] = [
 ];
 
 /** The fields of an atlas file that the gallery shows; the library reads the rest. */
-interface Told {
+interface FailureFile {
   readonly title: Readonly<Record<Language, string>>;
   readonly why: Readonly<Record<Language, string>>;
   readonly remedy: Readonly<Record<Language, string>>;
@@ -25,7 +25,7 @@ interface Told {
   readonly shows?: { readonly pixel?: readonly [number, number] };
 }
 
-export interface Entry extends Told {
+export interface Entry extends FailureFile {
   readonly name: string;
   /** The text of its file. */
   readonly text: string;
@@ -33,7 +33,7 @@ export interface Entry extends Told {
 }
 
 /** An entry that no scene can show has a test of its own instead. */
-export function kindOfEntry({ fails }: Pick<Told, 'fails'>): FailureKind {
+export function kindOfEntry({ fails }: Pick<FailureFile, 'fails'>): FailureKind {
   if (fails === undefined) return 'test';
   if (isMistake(fails.edition)) return 'mistake';
   if (fails.edition !== 'corrected') return 'printed';
@@ -45,8 +45,8 @@ export function kindOfEntry({ fails }: Pick<Told, 'fails'>): FailureKind {
 export function entriesIn(json: string): readonly Entry[] {
   const files = JSON.parse(json) as readonly (readonly [name: string, text: string])[];
   const entries = files.map(([name, text]): Entry => {
-    const told = JSON.parse(text) as Told;
-    return { ...told, name, text, kind: kindOfEntry(told) };
+    const failure = JSON.parse(text) as FailureFile;
+    return { ...failure, name, text, kind: kindOfEntry(failure) };
   });
   const place = ({ kind }: Entry): number => entryKinds.indexOf(kind);
   return [...entries].sort((one, other) => place(one) - place(other));

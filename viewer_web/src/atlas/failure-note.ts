@@ -36,7 +36,7 @@ export class FailureNoteElement extends LitElement {
         color: var(--bad);
         font-weight: 600;
       }
-      .told {
+      .facts {
         flex: 1 1 22rem;
       }
       .tools {
@@ -73,7 +73,7 @@ export class FailureNoteElement extends LitElement {
     const say = texts[language].atlas;
     const { why, remedy, source } = failure;
     const step = this.there ? failure.step : null;
-    return html`<div class="told">
+    return html`<div class="facts">
         <p class="why">${why[language]}${source === '' ? nothing : html` (${source})`}</p>
         ${this.there ? this.seen(say) : nothing}
         <p class="remedy">${say.remedy}: ${remedy[language]}</p>

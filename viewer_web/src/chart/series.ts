@@ -5,10 +5,10 @@ import type { Method, SceneRun } from './scene-format.js';
 import { curveKernels, curveKnobs } from './surface-format.js';
 import type { CurveKernel, CurveRun } from './surface-format.js';
 
-type Told = 'method' | 'kernel' | 'edition' | 'knob' | 'value';
-type CurveSetting = Pick<CurveRun, Told>;
+type SettingKey = 'method' | 'kernel' | 'edition' | 'knob' | 'value';
+type CurveSetting = Pick<CurveRun, SettingKey>;
 /** The settings of a run, without its results. */
-export type Setting = Pick<SceneRun, Told> | CurveSetting;
+export type Setting = Pick<SceneRun, SettingKey> | CurveSetting;
 
 /** What the series are grouped by: methods; or kernels, as curves have a single method. */
 export type Group = Method | CurveKernel;

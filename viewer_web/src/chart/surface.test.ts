@@ -55,7 +55,7 @@ describe('the series', () => {
 
 /** Three level curves over 33 columns; the middle one has a peak 4 columns wide, which hides one column of the last. */
 describe('the peak between two samples', () => {
-  const told = (kernel: string, value: number): readonly string[] => {
+  const saidOf = (kernel: string, value: number): readonly string[] => {
     const all = shown({ ...peak, cost: 'samples', error: 'height' });
     const point = all.points.find(
       ({ setting }) =>
@@ -65,12 +65,12 @@ describe('the peak between two samples', () => {
   };
 
   it('is missed by 9 samples per curve, but not by 10 adaptive ones in all', () => {
-    expect(told('double', 9)).toEqual([
+    expect(saidOf('double', 9)).toEqual([
       'double, 9 samples per curve',
       'Samples: 27',
       'Height missed: 6 px',
     ]);
-    expect(told('exact', 0.5)).toEqual([
+    expect(saidOf('exact', 0.5)).toEqual([
       'exact, tolerance 0.5 px',
       'Samples: 10',
       'Height missed: 0 px',

@@ -8,7 +8,7 @@ import type { Steps } from './parting.js';
 import type { CompareTexts } from '../language/texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { isChecked } from '../exactness/told.js';
+import { isChecked } from '../exactness/certainty.js';
 import { textureStyle } from '../picture/picture.style.js';
 import { base, hiddenStyle } from '../elements/theme.js';
 

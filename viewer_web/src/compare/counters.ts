@@ -1,5 +1,5 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
-import { toldOf } from '../exactness/told.js';
+import { certaintyOf } from '../exactness/certainty.js';
 import type { Trace } from '../replay/trace.js';
 import { details, kinds, numberOf, tells } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
@@ -68,7 +68,7 @@ function counted(
 }
 
 /** Whether a trace of this method and level has such events. */
-function isTold({ method, detail }: Header, name: EventName): boolean {
+function isReported({ method, detail }: Header, name: EventName): boolean {
   return tells(method, name) && details.indexOf(kinds[name].from) <= details.indexOf(detail);
 }
 
@@ -89,23 +89,23 @@ export class Counters {
     const isOfCurves = trace.header.scene.curves !== null;
     const counts = this.tally.upTo(step);
     const { counts: names, sums } = algorithmOf(trace.header);
-    const areTold = (some: readonly EventName[]): readonly EventName[] =>
-      some.filter((name) => isTold(trace.header, name));
+    const reported = (some: readonly EventName[]): readonly EventName[] =>
+      some.filter((name) => isReported(trace.header, name));
     const named = (some: readonly EventName[]): number | null => {
-      const told = areTold(some);
-      if (told.length === 0) return null;
-      return told.reduce((sum, name) => sum + (counts[numberOf.get(name) ?? 0] ?? 0), 0);
+      const counted = reported(some);
+      if (counted.length === 0) return null;
+      return counted.reduce((sum, name) => sum + (counts[numberOf.get(name) ?? 0] ?? 0), 0);
     };
     const none = Object.fromEntries(counters.map((name) => [name, null])) as Counts;
     const byName = Object.entries(names).map(([counter, some]) => [counter, named(some)]);
     const summed = sums
-      .filter(({ at }) => areTold(at).length > 0)
+      .filter(({ at }) => reported(at).length > 0)
       .map(({ counter }) => [counter, survey.upTo(counter, step)]);
     return {
       ...none,
       ...(Object.fromEntries([...byName, ...summed]) as Partial<Counts>),
       lines: isOfCurves ? trace.timeline.linesAt(step).length : null,
-      wrong: toldOf(trace) === 'unchecked' ? null : named(['disagree']),
+      wrong: certaintyOf(trace) === 'unchecked' ? null : named(['disagree']),
       steps: step,
     };
   }

@@ -35,11 +35,11 @@ const atOnce = 256;
  * For each event name, whether both runs have such events. One of them may be less detailed and lack some of the calls, or
  * be unchecked.
  */
-function toldByBoth(one: Detail, other: Detail): readonly boolean[] {
+function reportedByBoth(one: Detail, other: Detail): readonly boolean[] {
   const least = Math.min(details.indexOf(one), details.indexOf(other));
-  const untold: readonly EventName[] = one === other ? ['disagree'] : ['disagree', 'call'];
+  const notInBoth: readonly EventName[] = one === other ? ['disagree'] : ['disagree', 'call'];
   return eventNames.map(
-    (name) => !untold.includes(name) && details.indexOf(kinds[name].from) <= least,
+    (name) => !notInBoth.includes(name) && details.indexOf(kinds[name].from) <= least,
   );
 }
 
@@ -61,13 +61,13 @@ export class Parting {
   /** The steps compared so far. Up to the first different text they are the same; after that they do the same. */
   private seen: Steps = [0, 0];
   private isOver = false;
-  private readonly told: readonly boolean[];
+  private readonly isReported: readonly boolean[];
 
   constructor(
     private readonly one: Trace,
     private readonly other: Trace,
   ) {
-    this.told = toldByBoth(one.header.detail, other.header.detail);
+    this.isReported = reportedByBoth(one.header.detail, other.header.detail);
   }
 
   /** Whether the search is over. */
@@ -125,7 +125,7 @@ export class Parting {
   /** The next step of a kind that both runs have. */
   private next(names: Uint8Array, after: number): number {
     let step = after + 1;
-    while (step <= names.length && this.told[names[step - 1] ?? 0] === false) step++;
+    while (step <= names.length && this.isReported[names[step - 1] ?? 0] === false) step++;
     return step;
   }
 }

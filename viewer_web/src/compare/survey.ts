@@ -41,7 +41,7 @@ export class Survey {
   private readonly isLooked: readonly boolean[];
   private seen = 0;
   /** The current window, polygon or curve. */
-  private inHand = '';
+  private current = '';
 
   constructor(private readonly trace: Trace) {
     this.algorithm = algorithmOf(trace.header);
@@ -87,8 +87,8 @@ export class Survey {
 
   private look(event: Event, step: number): void {
     const { begins, landmark, sums } = this.algorithm;
-    const name = landmark(event, this.inHand);
-    if (name !== null && begins.includes(event.e)) this.inHand = name;
+    const name = landmark(event, this.current);
+    if (name !== null && begins.includes(event.e)) this.current = name;
     if (name !== null && !this.landmarks.has(name)) this.landmarks.set(name, step);
     for (const { counter, at, amount } of sums) {
       const found = at.includes(event.e) ? amount(event) : 0;

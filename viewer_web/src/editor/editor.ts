@@ -65,7 +65,7 @@ export class Editor {
   private adopts: { readonly file: string; readonly options: Options } | null = null;
   private readonly tracer: Tracer;
   /** The frame in which a change is reported at the latest. */
-  private telling = 0;
+  private frame = 0;
 
   constructor(
     library: Blob,
@@ -121,15 +121,15 @@ export class Editor {
    * pointer.
    */
   private tellSoon(): void {
-    if (this.telling !== 0) return;
-    this.telling = requestAnimationFrame(() => {
-      this.telling = requestAnimationFrame(() => this.tell());
+    if (this.frame !== 0) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = requestAnimationFrame(() => this.tell());
     });
   }
 
   private tell(): void {
-    cancelAnimationFrame(this.telling);
-    this.telling = 0;
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
     this.followers.changed(this.editing);
   }
 

@@ -208,8 +208,8 @@ export class KeysElement extends LitElement {
   private change(change: () => void): void {
     change();
     this.requestUpdate();
-    const told = { detail: keyMap.word, bubbles: true, composed: true };
-    this.dispatchEvent(new CustomEvent<string>('vidno-keys', told));
+    const options = { detail: keyMap.word, bubbles: true, composed: true };
+    this.dispatchEvent(new CustomEvent<string>('vidno-keys', options));
   }
 
   override render(): TemplateResult {

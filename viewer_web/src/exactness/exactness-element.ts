@@ -202,7 +202,7 @@ export class ExactnessElement extends LitElement {
   /** Whether the run was checked, and how, if the trace does not say so. */
   private checked(): TemplateResult | typeof nothing {
     const { check, texts: say } = this;
-    if (check.is === 'told' || check.is === 'certain') return nothing;
+    if (check.is === 'checked' || check.is === 'certain') return nothing;
     const words = this.sayCheck(check);
     const offers = check.is === 'unchecked' && this.maps !== null;
     return html`<section class="checked">
@@ -233,7 +233,8 @@ export class ExactnessElement extends LitElement {
 
   private hintOfWrong(): string {
     const { check } = this;
-    const isKnown = check.is === 'told' || (check.is === 'found' && check.truth.wrong.length > 0);
+    const isKnown =
+      check.is === 'checked' || (check.is === 'found' && check.truth.wrong.length > 0);
     return isKnown ? this.texts.findWrong : '';
   }
 

@@ -11,7 +11,7 @@ export type WindowSide = (typeof sideNames)[number];
 export type WindowCorner = `${'top' | 'bottom'}-${'left' | 'right'}`;
 
 /** The most causes in one label: nobody reads more in a picture. */
-const mostTold = 3;
+const mostShown = 3;
 
 /** The texts of a margin. */
 export interface MarginWords {
@@ -136,7 +136,7 @@ export function labelOf({ flips }: Side, { say, point: written }: MarginWords): 
     return say.vertex(sideNames[(side ?? 1) - 1] ?? 'top');
   });
   const different = [...new Set(texts)];
-  return [...different.slice(0, mostTold), ...(different.length > mostTold ? ['…'] : [])].join(
+  return [...different.slice(0, mostShown), ...(different.length > mostShown ? ['…'] : [])].join(
     '; ',
   );
 }

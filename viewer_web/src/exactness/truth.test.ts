@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Trace } from '../replay/trace.js';
 import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { toldOf } from './told.js';
+import { certaintyOf } from './certainty.js';
 import { Truth, verdictBy } from './truth.js';
 import { isWrong } from './verdict.js';
 
@@ -70,14 +70,14 @@ describe('the right answers for an unchecked run', () => {
 describe('what a trace reveals about its decisions', () => {
   it.each([
     ['unchecked', 'double', unchecked],
-    ['told', 'double', checked],
+    ['checked', 'double', checked],
     // Traces of level `windows` have wrong decisions, but no right ones.
-    ['told', 'double', [push, pop, disagree]],
+    ['checked', 'double', [push, pop, disagree]],
     ['unchecked', 'double', [push, pop]],
     ['certain', 'exact', unchecked],
-    ['told', 'exact', checked],
-  ] as const)('%s, under %s', async (told, kernel, events) => {
+    ['checked', 'exact', checked],
+  ] as const)('%s, under %s', async (certainty, kernel, events) => {
     const header = { ...headerOf('warnock'), kernel };
-    expect(toldOf(await traceOf(textWith(header, events)))).toBe(told);
+    expect(certaintyOf(await traceOf(textWith(header, events)))).toBe(certainty);
   });
 });

@@ -3,8 +3,8 @@ import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Finding } from './finding.js';
-import { toldOf } from './told.js';
-import type { Told } from './told.js';
+import { certaintyOf } from './certainty.js';
+import type { Certainty } from './certainty.js';
 import { verdictOf } from './verdict.js';
 import type { Verdict } from './verdict.js';
 
@@ -66,18 +66,18 @@ export type Unable = 'otherRun' | 'notHere' | 'tooLong' | 'failed';
 /** How a run's decisions are known to be right or wrong, and, once requested, those worth looking at. */
 export type Check = Known & { readonly findings?: readonly Finding[] };
 type Known =
-  | { readonly is: Told | 'checking' }
+  | { readonly is: Certainty | 'checking' }
   | { readonly is: 'found'; readonly truth: Truth }
   | { readonly is: 'unable'; readonly why: Unable; readonly messages: string };
 
-const asTold: Readonly<Record<Told, Check>> = {
-  told: { is: 'told' },
+const certainties: Readonly<Record<Certainty, Check>> = {
+  checked: { is: 'checked' },
   certain: { is: 'certain' },
   unchecked: { is: 'unchecked' },
 };
 
 /** The check that the trace alone provides. */
-export const toldCheck = (trace: Trace): Check => asTold[toldOf(trace)];
+export const ownCheck = (trace: Trace): Check => certainties[certaintyOf(trace)];
 
 /** The verdict on a step, from the check or else from the trace itself. */
 export const verdictBy = (check: Check, trace: Trace, step: number): Verdict | null =>

@@ -17,9 +17,9 @@ function things({ header, after: { floatingHorizon } }: View): readonly string[]
 }
 
 /** A curve is begun once, and examined once over each column. */
-function landmark(event: Event, inHand: string): string | null {
+function landmark(event: Event, current: string): string | null {
   if (event.e === 'curve') return `curve ${event.curve}`;
-  return event.e === 'visibility' ? `column ${event.x} ${inHand}` : null;
+  return event.e === 'visibility' ? `column ${event.x} ${current}` : null;
 }
 
 defineAlgorithm(['floating-horizon'], {

@@ -7,7 +7,7 @@ import type { Edition } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 
 /** Curve and outcome of each flag over column 4. */
-const told = async (detail: string): Promise<readonly unknown[]> => {
+const historyAt = async (detail: string): Promise<readonly unknown[]> => {
   const text = textOf(`hills.floating-horizon.${detail}.jsonl`);
   const { entries } = await readHistory(text, [4, 0]);
   return entries
@@ -21,7 +21,7 @@ describe('the history of a column', () => {
   it.each(['polygons', 'signs'])(
     'has the flag of each curve over it, at level %s',
     async (detail) => {
-      expect(await told(detail)).toEqual([
+      expect(await historyAt(detail)).toEqual([
         [0, 'pass'],
         [1, 'pass'],
         [2, 'fail'],

@@ -5,7 +5,7 @@ import type { Outlined } from '../outline/outlined.js';
 export const outline: Outlined = {
   parts: [],
   say({ kind, part, stepsOf }, language) {
-    if (kind !== 'hand') return null;
+    if (kind !== 'item') return null;
     const { curves, outline: say } = texts[language];
     const lines = stepsOf('draw_line').length;
     const seen = lines === 0 ? say.hidden : countedIn(language, lines, say.lines);

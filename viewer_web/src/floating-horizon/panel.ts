@@ -113,7 +113,7 @@ export class HorizonPanel extends LitElement {
         : html`<span data-thing=${curveThing(now.curve)}>${now.curve}</span>`;
     return html`<section data-part="curve">
       <dl class="values two">
-        ${value(say.inHand, curve, now.curve !== old.curve)}
+        ${value(say.current, curve, now.curve !== old.curve)}
         ${value(say.segment, segment, now.place.segment?.join() !== old.place.segment?.join())}
         ${value('x, Pflag', this.looked(now.place.previous), isOther(now, old, 'previous'))}
         ${value('x′, Tflag', this.looked(now.place.current), isOther(now, old, 'current'))}

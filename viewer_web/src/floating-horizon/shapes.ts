@@ -98,7 +98,7 @@ function horizonData(heights: Heights, { x, width }: Area): string {
   return pieces.join('');
 }
 
-const curveInHand = ({ header, after }: View): Curve | null =>
+const currentCurve = ({ header, after }: View): Curve | null =>
   header.scene.curves?.[after.floatingHorizon?.curve ?? -1] ?? null;
 
 const first = (curve: Curve): Spot | null => piecesOf(curve)[0]?.[0] ?? null;
@@ -135,7 +135,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
     return [sideEdge(begun.map(first), edges.left), sideEdge(begun.map(last), edges.right)];
   },
   curve: (view, { scale }) => {
-    const curve = curveInHand(view);
+    const curve = currentCurve(view);
     if (curve === null) return [];
     const ends = view.after.floatingHorizon?.place.segment;
     const segment = curve.filter(hasPoint).filter(([x]) => ends?.includes(x));
@@ -144,7 +144,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
     const points = areApart ? piecesOf(curve).flat() : [];
     const samples = points.map((sample) => circleData(sample, 2 / scale)).join('');
     return [
-      { look: 'in-hand', d: curveData(curve) },
+      { look: 'current', d: curveData(curve) },
       { look: 'segment', d: pathData(segment, false) },
       { look: 'samples', d: samples },
     ];
@@ -165,7 +165,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
   },
   columns: (view, { scale }) => {
     const { columns, after, header } = view;
-    const curve = curveInHand(view);
+    const curve = currentCurve(view);
     const { area } = header.scene;
     const x = (after.floatingHorizon?.place.current ?? after.floatingHorizon?.place.previous)?.[0];
     if (columns === null || curve === null || x === undefined) return [];
@@ -203,7 +203,7 @@ const heightDot: OfEvent<'raise' | 'lower' | 'height'> = ({ x, y }, _view, frame
 const ofStep: { readonly [K in keyof FloatingHorizonEvents]?: OfEvent<K> } = {
   side_edge: ({ sample }, _view, frame) => [dotAt('point', sample, frame)],
   visibility: ({ x, flag }, view, frame) => {
-    const y = heightOver(curveInHand(view) ?? [], x);
+    const y = heightOver(currentCurve(view) ?? [], x);
     return y === null ? [] : [dotAt(flag === 0 ? 'no' : 'yes', [x, y], frame)];
   },
   intersection: ({ point }, _view, frame) => [dotAt('point', spot(point), frame)],

@@ -15,7 +15,7 @@ const line = 'M1.5 10L18.5 4';
 /** The icon of each entry, in a box of 20 by 14. */
 const icons = {
   visible: ['visible', line],
-  inHand: ['in-hand', line],
+  current: ['current', line],
   upper: ['upper', 'M1 7h18'],
   lower: ['lower', 'M1 7h18'],
   above: ['flag above', 'M6 10h8l-4 -7Z'],

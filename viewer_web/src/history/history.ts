@@ -61,12 +61,12 @@ export class History {
     const { timeline } = this.trace;
     this.seen = Math.min(this.seen + atOnce, timeline.length);
     engine().exports.history_read(this.number, this.seen);
-    for (const told of JSON.parse(engine().made()) as readonly Omit<Entry, 'event'>[]) {
-      const event = timeline.event(told.step);
+    for (const made of JSON.parse(engine().made()) as readonly Omit<Entry, 'event'>[]) {
+      const event = timeline.event(made.step);
       if (event === null) continue;
-      const entry = { ...told, event };
+      const entry = { ...made, event };
       this.found.push(entry);
-      if (told.outcome === 'paint') this.last = entry;
+      if (made.outcome === 'paint') this.last = entry;
     }
   }
 

@@ -3,7 +3,7 @@ import { languages } from '../language/language.js';
 import { sentencesOf } from '../language/stated.js';
 import { short, shortApart, toNumber } from '../language/words.js';
 import { Unreadable } from '../replay/trace.js';
-import { faultOfForm } from '../testing/facts/told.js';
+import { faultOfForm } from '../testing/facts/shown.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import { complaint, texts } from './index.js';
 

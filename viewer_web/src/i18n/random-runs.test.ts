@@ -6,7 +6,7 @@ import { familyFacts } from '../testing/facts/family.js';
 import { Moments } from '../testing/facts/moments.js';
 import { weilerAthertonFacts } from '../testing/facts/weiler-atherton.js';
 import { zBufferFacts } from '../testing/facts/zbuffer.js';
-import { faultOf } from '../testing/facts/told.js';
+import { faultOf } from '../testing/facts/shown.js';
 import { warnockFacts } from '../testing/facts/warnock.js';
 import { make } from '../testing/made.js';
 import { randomRuns } from '../testing/random-runs.js';

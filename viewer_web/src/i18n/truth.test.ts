@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { orderOf } from '../language/words.js';
 import { saying } from '../testing/saying.js';
-import { tellerOf } from '../testing/teller.js';
+import { methodOf } from '../testing/method-of-event.js';
 import { headerOf } from '../testing/traces.js';
 import type { Edition } from '../trace/editions.js';
 import type { Detail, Event } from '../trace/events.js';
@@ -23,7 +23,7 @@ function said(
   const last = events.at(-1);
   if (last === undefined) throw new Error('nothing is said of no event');
   const kernel = JSON.stringify(events).includes('/') ? 'exact' : 'double';
-  return saying({ ...headerOf(tellerOf(last), detail), edition, kernel }, ...events);
+  return saying({ ...headerOf(methodOf(last), detail), edition, kernel }, ...events);
 }
 
 const pixel = (z: number, stored: number, shown: boolean): Event => ({

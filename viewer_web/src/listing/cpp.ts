@@ -4,7 +4,7 @@ import { customElement, property, query } from 'lit/decorators.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
-import { sourcesOf, telling } from './sources.js';
+import { sourcesOf, linesThatReport } from './sources.js';
 import type { Source, SourceLine } from './sources.js';
 
 /** The C++ of the procedures, with the lines that recorded the step. */
@@ -84,7 +84,7 @@ export class CppElement extends LitElement {
 
   private file(source: Source): TemplateResult {
     const { event } = this.view;
-    const now = event === null ? [] : telling(event, source);
+    const now = event === null ? [] : linesThatReport(event, source);
     return html`<section>
       <h3>${source.path}</h3>
       <ol>

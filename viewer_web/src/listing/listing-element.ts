@@ -381,12 +381,12 @@ export class ListingElement extends LitElement {
   private procedure(listing: Listing): unknown {
     const { name, title, takes, lines } = listing;
     const isEntered = this.isEntered(name);
-    const told = lines.map(({ at }) => {
+    const rows = lines.map(({ at }) => {
       const { now, caller } = this.kindOf(at);
       return `${now ? this.nowClass : ''} ${caller} ${this.values.get(at) ?? ''}`;
     });
     return guard(
-      [listing, isEntered, ...told],
+      [listing, isEntered, ...rows],
       () => html`
         <section class=${isEntered ? 'entered' : nothing}>
           <h3><span class="name">${name}</span>(${takes}) <span class="title">${title}</span></h3>

@@ -85,8 +85,8 @@ export function excerpt(
   return sources.flatMap(({ name, title, takes, lines }) => {
     const shown = lines.filter(({ at }) => names.includes(name) || names.includes(at));
     if (shown.length === 0) return [];
-    const told = shown.map((each) => line(each, edition, language));
-    return [{ name, title: title[language], takes, lines: told }];
+    const printed = shown.map((each) => line(each, edition, language));
+    return [{ name, title: title[language], takes, lines: printed }];
   });
 }
 

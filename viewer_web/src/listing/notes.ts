@@ -1,7 +1,7 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Numbers } from '../language/texts.js';
 import { withoutDoubledSigns } from '../language/words.js';
-import { details, eventsOf, isToldAnywhere, kinds } from '../trace/events.js';
+import { details, eventsOf, isOfAnyLine, kinds } from '../trace/events.js';
 import type { CommonEvents, Detail, Event, EventName, Method } from '../trace/events.js';
 import type { Answer } from '../trace/values.js';
 import { half } from './notation.js';
@@ -38,7 +38,7 @@ export function speaks(label: string, method: Method, detail: Detail): boolean {
   return eventsOf[method].some((name) => {
     const { at, from } = kinds[name];
     return (
-      !isToldAnywhere(name) && // except notes that any line may have
+      !isOfAnyLine(name) && // except notes that any line may have
       ownNote(name, method) !== null &&
       details.indexOf(from) <= details.indexOf(detail) &&
       at?.includes(label) === true

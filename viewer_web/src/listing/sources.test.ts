@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { allSamples } from '../testing/samples.js';
 import { methods, tells } from '../trace/events.js';
 import { listingsOf } from './listings.js';
-import { sourcesOf, telling } from './sources.js';
+import { sourcesOf, linesThatReport } from './sources.js';
 
 const warnock = { method: 'warnock', edition: 'corrected' } as const;
 
@@ -11,7 +11,7 @@ const marked = (at: string, e: string, run: Parameters<typeof sourcesOf>[0] = wa
   const event = allSamples.find((each) => each.e === e);
   if (event === undefined) throw new Error(e);
   return sourcesOf(run).flatMap((source) =>
-    telling({ ...event, at } as typeof event, source).map((i) => source.lines[i]?.text),
+    linesThatReport({ ...event, at } as typeof event, source).map((i) => source.lines[i]?.text),
   );
 };
 
@@ -72,7 +72,7 @@ describe('the C++ of a run', () => {
       );
       const silent = allSamples
         .filter(({ e, at }) => e !== 'plane' && tells(method, e) && labels.includes(at))
-        .filter((event) => sources.every((source) => telling(event, source).length === 0));
+        .filter((event) => sources.every((source) => linesThatReport(event, source).length === 0));
       expect(silent.map(({ e, at }) => `${e} ${at}`)).toEqual([]);
     }
   });

@@ -102,7 +102,7 @@ export function sourcesOf({
 }
 
 /** The lines of a source that record the event: those with its label, preferably those that name the event. */
-export function telling({ e, at }: Event, { lines }: Source): readonly number[] {
+export function linesThatReport({ e, at }: Event, { lines }: Source): readonly number[] {
   const calls = new RegExp(`\\b(\\w+)\\((?:[^()]*\\W)?${at}\\b`, 'g');
   const found = lines.flatMap(({ text }, number) =>
     [...text.matchAll(calls)].map(([, called = '']) => ({ number, named: called.includes(e) })),

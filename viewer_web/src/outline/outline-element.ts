@@ -230,9 +230,9 @@ export class OutlineElement extends LitElement {
   private row = 24;
   private frame = 0;
   private step = -1;
-  private toldHits: readonly number[] = [];
+  private shownHits: readonly number[] = [];
   /** The search whose hits were reported. */
-  private told: Search | null = null;
+  private shownSearch: Search | null = null;
   private observed: Element | null = null;
 
   private readonly observer = new ResizeObserver(([entry]) => {
@@ -276,9 +276,9 @@ export class OutlineElement extends LitElement {
       if (!outline.read(milliseconds)) return false;
     }
     if (!trace.complete || search === null) return true;
-    if (search === this.told) return true;
+    if (search === this.shownSearch) return true;
     if (!search.read(milliseconds)) return false;
-    this.told = search;
+    this.shownSearch = search;
     this.tellHits(search.hits);
     return true;
   }
@@ -300,9 +300,9 @@ export class OutlineElement extends LitElement {
 
   private tellHits(nodes: readonly number[]): void {
     const { first } = this.outline.nodes;
-    if (nodes.length === 0 && this.toldHits.length === 0) return;
-    this.toldHits = nodes.map((node) => first[node] ?? 0);
-    this.dispatchEvent(new CustomEvent<readonly number[]>('hits', { detail: this.toldHits }));
+    if (nodes.length === 0 && this.shownHits.length === 0) return;
+    this.shownHits = nodes.map((node) => first[node] ?? 0);
+    this.dispatchEvent(new CustomEvent<readonly number[]>('hits', { detail: this.shownHits }));
   }
 
   /** When the step has changed, scrolls its row into view. */
@@ -490,20 +490,20 @@ export class OutlineElement extends LitElement {
   }
 
   private counted(): string {
-    const { search, texts: say, toldHits } = this;
+    const { search, texts: say, shownHits } = this;
     const { language, step } = this.view;
     if (search === null) return '';
     if (!search.complete || !this.trace.complete) return say.searching;
-    if (toldHits.length === 0) return say.noHits;
-    const hits = countedIn(language, toldHits.length, say.hits);
-    const at = toldHits.indexOf(step);
+    if (shownHits.length === 0) return say.noHits;
+    const hits = countedIn(language, shownHits.length, say.hits);
+    const at = shownHits.indexOf(step);
     return at < 0 ? hits : say.hitOf(String(at + 1), hits);
   }
 
   private hitButton(by: -1 | 1): TemplateResult {
     const { texts: say } = this;
     const label = by === 1 ? say.nextHit : say.previousHit;
-    const { back, forward } = around(this.toldHits, this.view.step);
+    const { back, forward } = around(this.shownHits, this.view.step);
     return html`<button
       class=${by === 1 ? 'next' : 'previous'}
       aria-label=${label}
@@ -518,7 +518,7 @@ export class OutlineElement extends LitElement {
   }
 
   private goToHit(by: -1 | 1): void {
-    const { back, forward } = around(this.toldHits, this.view.step);
+    const { back, forward } = around(this.shownHits, this.view.step);
     const step = by === 1 ? forward : back;
     if (step === null) return;
     this.cursor = none;

@@ -20,8 +20,8 @@ const eventsIn = (name: string): readonly (readonly [step: number, event: Event]
     .map((line, i) => [i + 1, JSON.parse(line) as Event]);
 
 const nodesOf = ({ size }: Outline): readonly number[] => Array.from({ length: size }, (_, i) => i);
-const handsOf = (outline: Outline): readonly number[] =>
-  nodesOf(outline).filter((node) => outline.isHand(node));
+const itemsOf = (outline: Outline): readonly number[] =>
+  nodesOf(outline).filter((node) => outline.isItem(node));
 const firstOf = ({ nodes }: Outline, node: number): number => nodes.first[node] ?? 0;
 
 /** The number of times that each word occurs. */
@@ -34,7 +34,7 @@ function tally(words: readonly string[]): Readonly<Record<string, number>> {
 /** The outline as indented lines, without the nodes of calls. */
 const drawn = (outline: Outline): readonly string[] =>
   nodesOf(outline)
-    .filter((node) => outline.isHand(node) || outline.isPart(node))
+    .filter((node) => outline.isItem(node) || outline.isPart(node))
     .map(
       (node) => '  '.repeat((outline.nodes.depth[node] ?? 1) - 1) + sayNode(outline, node, 'en'),
     );
@@ -50,7 +50,7 @@ const callsAt = ({ timeline }: Trace, step: number): readonly string[] =>
 function callsIn(outline: Outline, step: number): readonly string[] {
   const called = [...outline.wayUp(outline.before(step))].filter(
     (node) =>
-      !outline.isHand(node) &&
+      !outline.isItem(node) &&
       !outline.isPart(node) &&
       firstOf(outline, node) <= step &&
       step < outline.lastOf(node),
@@ -117,10 +117,10 @@ describe("the windows of Warnock's algorithm", () => {
     const outline = await outlineIn(name);
     const events = eventsIn(name);
     const decided = events.flatMap(([, event]) => (event.e === 'decide' ? event.case : []));
-    const told = handsOf(outline).map(
+    const listed = itemsOf(outline).map(
       (node) => /: (\w+)/.exec(sayNode(outline, node, 'en'))?.[1] ?? '',
     );
-    expect(tally(told)).toEqual(tally(decided));
+    expect(tally(listed)).toEqual(tally(decided));
   });
 
   it.each(warnocks)('are each in the window that was divided (%s)', async (name) => {
@@ -128,7 +128,7 @@ describe("the windows of Warnock's algorithm", () => {
     const windows = new Map(
       eventsIn(name).flatMap(([step, event]) => (event.e === 'pop' ? [[step, event.window]] : [])),
     );
-    for (const node of handsOf(outline)) {
+    for (const node of itemsOf(outline)) {
       const [x, y, width, height] = windows.get(firstOf(outline, node)) ?? [0, 0, 0, 0];
       // The smallest of all earlier windows that contains it.
       const around = [...windows].filter(
@@ -148,7 +148,7 @@ describe("the windows of Warnock's algorithm", () => {
   it('name the visible polygon, if the trace does', async () => {
     const outline = await outlineIn('inside.warnock.signs');
     // The polygon of the only window is drawn at its last event.
-    expect(handsOf(outline).map((node) => sayNode(outline, node, 'en'))).toEqual([
+    expect(itemsOf(outline).map((node) => sayNode(outline, node, 'en'))).toEqual([
       'window 4 × 4 at (0, 0): single, A',
     ]);
   });

@@ -6,18 +6,18 @@ import type { Trace } from '../replay/trace.js';
 import type { Book } from '../time/course.js';
 import { callsFrom, depthChanges, eventNames, kinds, numberOf } from '../trace/events.js';
 import type { EventName, Procedure } from '../trace/events.js';
-import type { Kind, Told } from './outlined.js';
+import type { Kind, NodeData } from './outlined.js';
 import { NodeTable, none } from './table.js';
 
 const atOnce = 8192;
 
 /** The kinds of nodes by their numbers in the table. */
 const kindsByNumber: readonly Kind[] = [
-  'hand',
+  'item',
   'part',
   ...(Object.keys(callsFrom) as readonly Procedure[]),
 ];
-const [hand, part] = [0, 1];
+const [item, part] = [0, 1];
 /** The kind of a call that has no result yet. */
 const pending = 255;
 
@@ -41,7 +41,7 @@ export class Outline {
   /** The open nodes: first the current items, each nested in the one before it, then possibly a part, then calls. */
   private open: number[] = [];
   /** The number of open nodes that are current items. */
-  private inHand = 0;
+  private currentItem = 0;
   private readonly closesCall: readonly boolean[];
   private readonly watch: readonly (((step: number) => void) | undefined)[];
 
@@ -84,10 +84,10 @@ export class Outline {
 
   kindOf(node: number): Kind {
     const { kind, first } = this.nodes;
-    const known = kindsByNumber[kind[node] ?? hand];
+    const known = kindsByNumber[kind[node] ?? item];
     if (known !== undefined) return known;
     const event = this.trace.timeline.event(first[node] ?? 0);
-    return event?.e === 'call' ? event.of : 'hand';
+    return event?.e === 'call' ? event.of : 'item';
   }
 
   /** The row after a node and its descendants. */
@@ -127,20 +127,20 @@ export class Outline {
   }
 
   /** The innermost item at or above a node; `none` if there is none. */
-  handOf(node: number): number {
-    for (const at of this.wayUp(node)) if (this.nodes.kind[at] === hand) return at;
+  itemOf(node: number): number {
+    for (const at of this.wayUp(node)) if (this.nodes.kind[at] === item) return at;
     return none;
   }
 
-  isHand(node: number): boolean {
-    return this.nodes.kind[node] === hand;
+  isItem(node: number): boolean {
+    return this.nodes.kind[node] === item;
   }
 
   isPart(node: number): boolean {
     return this.nodes.kind[node] === part;
   }
 
-  told(node: number): Told {
+  dataOf(node: number): NodeData {
     const { header, timeline } = this.trace;
     const { first: firsts, part: parts } = this.nodes;
     const [first, last] = [firsts[node] ?? 0, this.ownLast(node)];
@@ -149,7 +149,7 @@ export class Outline {
       kind: this.kindOf(node),
       first,
       last,
-      inHandFrom: firsts[this.handOf(node)] ?? first,
+      itemFrom: firsts[this.itemOf(node)] ?? first,
       part: parts[node] ?? -1,
       event: (step) => timeline.event(step),
       stepsOf: (name, from = first) => stepsOf(timeline.names, name, from, last),
@@ -161,7 +161,7 @@ export class Outline {
     const { first, kind } = this.nodes;
     const end = this.endOf(node);
     for (let row = node + 1; row < end; row++) {
-      if (kind[row] === hand) return (first[row] ?? 0) - 1;
+      if (kind[row] === item) return (first[row] ?? 0) - 1;
     }
     return this.lastOf(node);
   }
@@ -205,7 +205,7 @@ export class Outline {
   }
 
   private beginPart(step: number): void {
-    this.close(this.inHand, step - 1);
+    this.close(this.currentItem, step - 1);
     this.begin(step, part, -1);
   }
 
@@ -227,17 +227,17 @@ export class Outline {
       eventAt: (step) => trace.timeline.event(step),
       indexOf: (polygon) => indices.get(polygon) ?? -1,
       begin: (step, value, level = 1) => {
-        const left = Math.min(level - 1, this.inHand);
+        const left = Math.min(level - 1, this.currentItem);
         this.close(left, step - 1);
-        this.begin(step, hand, value);
-        this.inHand = left + 1;
+        this.begin(step, item, value);
+        this.currentItem = left + 1;
       },
       end: (step) => {
         this.close(0, step - 1);
-        this.inHand = 0;
+        this.currentItem = 0;
       },
       decide: (value) => {
-        const node = this.open[this.inHand - 1];
+        const node = this.open[this.currentItem - 1];
         if (node !== undefined) this.nodes.part[node] = value;
       },
       changeAel: () => undefined,
@@ -270,7 +270,7 @@ export function outlineOf(trace: Trace): Outline {
 const longest = 60;
 
 /** A procedure with its result, as in the listing's notes: "SurroundTest A: true". */
-function sayCall({ kind, last, header, event }: Told, language: Language): string {
+function sayCall({ kind, last, header, event }: NodeData, language: Language): string {
   const result = event(last);
   if (result === null || kinds[result.e].resultOf !== kind) return kind;
   const polygon = 'polygon' in result ? (result.polygon ?? '') : '';
@@ -283,6 +283,6 @@ function sayCall({ kind, last, header, event }: Told, language: Language): strin
 
 /** The text of a node. */
 export function sayNode(outline: Outline, node: number, language: Language): string {
-  const told = outline.told(node);
-  return algorithmOf(told.header).outline.say(told, language) ?? sayCall(told, language);
+  const data = outline.dataOf(node);
+  return algorithmOf(data.header).outline.say(data, language) ?? sayCall(data, language);
 }

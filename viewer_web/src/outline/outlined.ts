@@ -3,17 +3,17 @@ import type { Event, EventName, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
 /** The kind of a node: an item of the algorithm, a part of one, or a procedure. */
-export type Kind = 'hand' | 'part' | Procedure;
+export type Kind = 'item' | 'part' | Procedure;
 
 /** The data of a node for its text. */
-export interface Told {
+export interface NodeData {
   readonly header: Header;
   readonly kind: Kind;
   /** Its steps, without those of nested items. */
   readonly first: number;
   readonly last: number;
   /** The step at which the current item began. */
-  readonly inHandFrom: number;
+  readonly itemFrom: number;
   /** See `Stretches`. */
   readonly part: number;
   event(step: number): Event | null;
@@ -31,5 +31,5 @@ export interface Outlined {
   /** The number that identifies a part, from its first event. */
   numberOf?(event: Event): number | null;
   /** The text of an item or a part of one; for a procedure null, if its name and result suffice. */
-  say(told: Told, language: Language): string | null;
+  say(node: NodeData, language: Language): string | null;
 }

@@ -81,8 +81,8 @@ export class Search {
     const { outline } = this;
     const names = (facet: Meaning['facet']): boolean =>
       reading.some((meaning) => meaning.facet === facet);
-    const what = outline.isHand(node) ? 'hand' : outline.isPart(node) ? 'part' : 'procedure';
-    const wanted = names('procedure') ? 'procedure' : names('row') ? 'part' : 'hand';
+    const what = outline.isItem(node) ? 'item' : outline.isPart(node) ? 'part' : 'procedure';
+    const wanted = names('procedure') ? 'procedure' : names('row') ? 'part' : 'item';
     return what === wanted && reading.every((meaning) => this.isMeant(node, meaning));
   }
 
@@ -91,7 +91,7 @@ export class Search {
     switch (meaning.facet) {
       case 'procedure': {
         const kind = outline.kindOf(node);
-        return kind !== 'hand' && kind !== 'part' && meaning.values.has(kind);
+        return kind !== 'item' && kind !== 'part' && meaning.values.has(kind);
       }
       case 'row': {
         const number = this.numberOf(node);
@@ -101,8 +101,8 @@ export class Search {
         return this.concerns(node, meaning.values);
       case 'case':
       case 'curve': {
-        const hand = outline.handOf(node);
-        return hand !== none && meaning.values.has(outline.nodes.part[hand] ?? -1);
+        const item = outline.itemOf(node);
+        return item !== none && meaning.values.has(outline.nodes.part[item] ?? -1);
       }
     }
   }
@@ -113,13 +113,13 @@ export class Search {
    */
   private concerns(node: number, polygons: ReadonlySet<number>): boolean {
     const { outline, mentions: named } = this;
-    const own = outline.isHand(node) ? -1 : (named?.at(outline.lastOf(node)) ?? -1);
+    const own = outline.isItem(node) ? -1 : (named?.at(outline.lastOf(node)) ?? -1);
     if (!outline.isPart(node) && own >= 0) return polygons.has(own);
-    const hand = outline.handOf(node);
-    if (hand === none) return false;
+    const item = outline.itemOf(node);
+    if (item === none) return false;
     const isOfPolygons = algorithmOf(outline.trace.header).lanes.first === 'polygons';
-    if (isOfPolygons && polygons.has(outline.nodes.part[hand] ?? -1)) return true;
-    return this.namingIn(polygons)[hand] === 1;
+    if (isOfPolygons && polygons.has(outline.nodes.part[item] ?? -1)) return true;
+    return this.namingIn(polygons)[item] === 1;
   }
 
   private namingIn(polygons: ReadonlySet<number>): Uint8Array {
@@ -128,18 +128,18 @@ export class Search {
     const { outline } = this;
     const found = new Uint8Array(outline.size);
     this.naming.set(polygons, found);
-    let hand = none;
+    let item = none;
     let next = 0;
     const { first } = outline.nodes;
     const { length } = outline.trace.timeline;
     for (let step = 1; step <= length; step++) {
       for (; next < outline.size && (first[next] ?? 0) <= step; next++) {
-        if (outline.isHand(next) || outline.nodes.depth[next] === 1) {
-          hand = outline.isHand(next) ? next : none;
+        if (outline.isItem(next) || outline.nodes.depth[next] === 1) {
+          item = outline.isItem(next) ? next : none;
         }
       }
       const place = this.mentions?.at(step) ?? -1;
-      if (place >= 0 && hand !== none && polygons.has(place)) found[hand] = 1;
+      if (place >= 0 && item !== none && polygons.has(place)) found[item] = 1;
     }
     return found;
   }

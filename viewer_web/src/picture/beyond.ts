@@ -6,7 +6,7 @@ import type { Shape } from './shapes.js';
 import type { Label } from './still.js';
 
 /** The roles of points that have arrows. */
-const told: readonly Role[] = ['yes', 'no', 'point'];
+const announced: readonly Role[] = ['yes', 'no', 'point'];
 /** CSS pixels: the length, half width and distance from the edge of an arrow, and half the width of a letter. */
 const arrow = { length: 14, half: 7, off: 3 };
 const letter = 4;
@@ -20,7 +20,7 @@ export interface Beyond {
 export function beyond(marks: readonly Mark[], frame: Frame, { point }: Numbers): Beyond {
   const found = new Map<string, { readonly role: Role; readonly at: Point }>();
   for (const mark of marks) {
-    if (mark.kind !== 'point' || !told.includes(mark.role) || isSeen(mark.at, frame)) continue;
+    if (mark.kind !== 'point' || !announced.includes(mark.role) || isSeen(mark.at, frame)) continue;
     found.set(point(mark.at), mark);
   }
   const all = [...found];

@@ -13,7 +13,7 @@ export const curvesStyle = css`
     stroke: var(--mark);
     stroke-width: 1.25;
   }
-  .in-hand {
+  .current {
     stroke: #8a93a3;
     stroke-width: 1.5;
   }

@@ -53,7 +53,7 @@ const inRed = (mark: Mark): Mark =>
   mark.kind === 'note' || mark.kind === 'target' ? mark : { ...mark, role: 'wrong' };
 
 /** The polygon of the step, or else the current polygon of the algorithm. */
-export function polygonInHand(
+export function currentPolygon(
   { event, header }: View,
   id: string | null = null,
 ): Polygon | undefined {

@@ -7,7 +7,7 @@ import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
 import '../elements/keys.js';
 import type { KeysElement } from '../elements/keys.js';
-import { toldCheck } from '../exactness/truth.js';
+import { ownCheck } from '../exactness/truth.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
@@ -56,7 +56,7 @@ export abstract class StageElement extends TimedElement {
   protected abstract actions(event: KeyboardEvent): Actions;
 
   checkOf(trace: Trace): Check {
-    return this.check ?? toldCheck(trace);
+    return this.check ?? ownCheck(trace);
   }
 
   /** The play button and the moves through the run. */

@@ -112,7 +112,7 @@ function decisionsOf(check: Check, trace: Trace, view: View): string {
   switch (check.is) {
     case 'certain':
       return allRight;
-    case 'told':
+    case 'checked':
     case 'found': {
       const wrong = check.is === 'found' ? check.truth.wrong.length : wrongSteps(trace);
       return wrong === 0 ? allRight : verdict.decisionsWrong(wrong);

@@ -51,7 +51,7 @@ const questionStyle = css`
     font-weight: 600;
   }
   /* The part that the picture answers, and for which there is a hint. */
-  .in-hand {
+  .current {
     margin-left: -0.6rem;
     padding-left: calc(0.6rem - 3px);
     border-left: 3px solid var(--accent);
@@ -342,13 +342,13 @@ export class QuestionElement extends LitElement {
     const { say, view } = this;
     const { verdict } = this.current;
     const isRight = verdict?.right[i] === true;
-    const isInHand = verdict === null && i === this.current.part;
+    const isCurrent = verdict === null && i === this.current.part;
     const given = (part.given ?? []).map(
       (each) => html`<li>${valueName(each.of, each, view)}</li>`,
     );
     return html`<fieldset
       data-part=${i}
-      class=${isInHand ? 'in-hand' : ''}
+      class=${isCurrent ? 'current' : ''}
       @pointerdown=${() => this.predictor.turnTo(i)}
       ?disabled=${verdict !== null}
       @focusin=${() => this.predictor.turnTo(i)}

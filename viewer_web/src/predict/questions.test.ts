@@ -194,7 +194,7 @@ const pixel = (x: number, z: number, shown: boolean): Event => ({
 });
 
 /** A row in which A passes the stored depth, with an extra event after its pixels. */
-const row = (...told: readonly Event[]): Promise<Trace> =>
+const row = (...events: readonly Event[]): Promise<Trace> =>
   traceOf(
     textWith(headerOf('zbuffer'), [
       { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' },
@@ -205,7 +205,7 @@ const row = (...told: readonly Event[]): Promise<Trace> =>
       pixel(2, 0.4, false),
       pixel(3, 0.5, false),
       pixel(4, 0.6, true),
-      ...told,
+      ...events,
       { e: 'span', at: 'Z14', row: 1, runs: [[4, 5]], depths: [0.6] },
     ]),
   );

@@ -37,10 +37,10 @@ function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
 
 /** Whether the steps contain a fault, or a decision that a check found wrong. Nobody can be expected to predict those. */
 function goesWrong(trace: Trace, { step, until }: Question, wrong: readonly number[]): boolean {
-  const told = ['disagree', 'fault'] as const;
+  const faults = ['disagree', 'fault'] as const;
   return (
     wrong.some((each) => step < each && each <= until) ||
-    told.some((name) => stepsOf(trace, step, until, name).length > 0)
+    faults.some((name) => stepsOf(trace, step, until, name).length > 0)
   );
 }
 

@@ -15,8 +15,8 @@ import type {
   Question,
   Table,
 } from './story.js';
-import { withoutTerms } from './telling.js';
-import type { Telling } from './telling.js';
+import { withoutTerms } from './context.js';
+import type { TextContext } from './context.js';
 
 /** Procedures in the text of a lesson, line by line with their labels. */
 function listing({ names, edition }: PrintedListing, language: Language): TemplateResult {
@@ -42,9 +42,9 @@ function listing({ names, edition }: PrintedListing, language: Language): Templa
 const longestShort = 280;
 
 /** The blocks of a story, one below the other. */
-export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
+export function blocks(all: Blocks, context: TextContext): readonly TemplateResult[] {
   return withGalleries(all).map((group) => {
-    const parts = group.map((block) => told(block, telling));
+    const parts = group.map((block) => templateOf(block, context));
     return parts.length === 1 ? html`${parts}` : html`<div class="gallery">${parts}</div>`;
   });
 }
@@ -60,16 +60,16 @@ function withGalleries(all: Blocks): readonly Blocks[] {
   return groups;
 }
 
-function told(block: Block, telling: Telling): TemplateResult {
+function templateOf(block: Block, context: TextContext): TemplateResult {
   switch (block.is) {
     case 'heading':
-      return heading(block, telling);
+      return heading(block, context);
     case 'paragraph':
       return html`<p class=${plainWords(block.text).length > longestShort ? nothing : 'short'}>
-        ${inlines(block.text, telling)}
+        ${inlines(block.text, context)}
       </p>`;
     case 'list': {
-      const items = block.items.map((item) => html`<li>${blocks(item, telling)}</li>`);
+      const items = block.items.map((item) => html`<li>${blocks(item, context)}</li>`);
       return block.ordered
         ? html`<ol>
             ${items}
@@ -79,31 +79,31 @@ function told(block: Block, telling: Telling): TemplateResult {
           </ul>`;
     }
     case 'quote':
-      return html`<blockquote>${blocks(block.blocks, telling)}</blockquote>`;
+      return html`<blockquote>${blocks(block.blocks, context)}</blockquote>`;
     case 'question':
     case 'exercise':
-      return question(block, telling);
+      return question(block, context);
     case 'code':
       return block.language === 'sh'
-        ? html`<vidno-command .text=${block.text} .texts=${telling.texts}></vidno-command>`
+        ? html`<vidno-command .text=${block.text} .texts=${context.texts}></vidno-command>`
         : html`<pre tabindex="0"><code>${block.text}</code></pre>`;
     case 'formula':
       return html`<div class="formula" tabindex="0">${formula(block.tex, true)}</div>`;
     case 'figure':
-      return figure(block, telling);
+      return figure(block, context);
     case 'table':
-      return table(block, telling);
+      return table(block, context);
     case 'listing':
-      return listing(block, telling.language);
+      return listing(block, context.language);
   }
 }
 
-function heading(block: Heading, telling: Telling): TemplateResult {
-  const { story, lesson, addressOf, texts } = telling;
+function heading(block: Heading, context: TextContext): TemplateResult {
+  const { story, lesson, addressOf, texts } = context;
   const place = story.places.get(block) ?? '';
   const address = addressOf(lesson.id, place) ?? nothing;
-  telling.terms?.forget();
-  const words = html`${inlines(block.text, withoutTerms(telling))}
+  context.terms?.forget();
+  const words = html`${inlines(block.text, withoutTerms(context))}
     <a class="anchor" href=${address} aria-label=${texts.linkHere(plainWords(block.text))}>#</a>`;
   return block.level === 2
     ? html`<h3 data-place=${place} tabindex="-1">${words}</h3>`
@@ -112,38 +112,38 @@ function heading(block: Heading, telling: Telling): TemplateResult {
 
 function question(
   { is, number, blocks: asked, answer }: Question,
-  telling: Telling,
+  context: TextContext,
 ): TemplateResult {
-  const { texts } = telling;
+  const { texts } = context;
   const name = texts[is](number);
   return html`<section class="question ${is}" aria-label=${name}>
     <p class="number">${name}</p>
-    ${blocks(asked, telling)}
+    ${blocks(asked, context)}
     ${
       answer === undefined
         ? nothing
         : html`<details>
             <summary>${texts.answer}</summary>
-            <div class="answer">${blocks(answer, telling)}</div>
+            <div class="answer">${blocks(answer, context)}</div>
           </details>`
     }
   </section>`;
 }
 
-function figure({ caption, command, file }: Figure, telling: Telling): TemplateResult {
-  const svg = telling.story.figures.get(file);
+function figure({ caption, command, file }: Figure, context: TextContext): TemplateResult {
+  const svg = context.story.figures.get(file);
   const image = (drawing: string): TemplateResult =>
     html`<img src=${drawing} alt=${plainWords(caption)} />`;
   return html`<figure>
-    ${svg === undefined ? nothing : image(telling.drawingOf(svg))}
-    <figcaption>${inlines(caption, withoutTerms(telling))}</figcaption>
-    <vidno-command small .text=${command} .texts=${telling.texts}></vidno-command>
+    ${svg === undefined ? nothing : image(context.drawingOf(svg))}
+    <figcaption>${inlines(caption, withoutTerms(context))}</figcaption>
+    <vidno-command small .text=${command} .texts=${context.texts}></vidno-command>
   </figure>`;
 }
 
-function table({ head, align, rows }: Table, telling: Telling): TemplateResult {
+function table({ head, align, rows }: Table, context: TextContext): TemplateResult {
   const cell = (tag: 'th' | 'td') => (text: Inlines, column: number) => {
-    const words = inlines(text, telling);
+    const words = inlines(text, context);
     const side: Align = align[column] ?? '';
     return tag === 'th'
       ? html`<th scope="col" class=${side}>${words}</th>`

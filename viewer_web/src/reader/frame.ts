@@ -7,14 +7,14 @@ import type { Language } from '../language/language.js';
 import { blocks } from './blocks.js';
 import { inlines, plainWords } from './inlines.js';
 import type { Blocks, Inlines, Question, Source } from './story.js';
-import { withoutPlaces, withoutTerms } from './telling.js';
-import type { Telling } from './telling.js';
+import { withoutPlaces, withoutTerms } from './context.js';
+import type { TextContext } from './context.js';
 
 /** What stands below the title, folded to a line: the time, what comes first, the terms and the goals of the lesson. */
-export function opening(telling: Telling, language: Language): TemplateResult | typeof nothing {
-  const { lesson, story, texts } = telling;
+export function opening(context: TextContext, language: Language): TemplateResult | typeof nothing {
+  const { lesson, story, texts } = context;
   const terms = introducedIn(story.blocks, language);
-  const first = prerequisites(telling, language);
+  const first = prerequisites(context, language);
   const facts: readonly (readonly [string, unknown])[] = [
     ...(lesson.minutes === undefined ? [] : [[texts.time, texts.minutes(lesson.minutes)] as const]),
     ...(first.length === 0 ? [] : [[texts.prerequisites, first] as const]),
@@ -36,20 +36,20 @@ export function opening(telling: Telling, language: Language): TemplateResult | 
             </div>`,
         )}
       </dl>
-      ${story.goals.length === 0 ? nothing : goals(telling)}
+      ${story.goals.length === 0 ? nothing : goals(context)}
     </section>`;
 }
 
-function goals(telling: Telling): TemplateResult {
-  const { story, texts } = telling;
+function goals(context: TextContext): TemplateResult {
+  const { story, texts } = context;
   return html`<p class="label">${texts.goals}</p>
     <ul>
-      ${story.goals.map((goal) => html`<li>${inlines(goal, withoutTerms(telling))}</li>`)}
+      ${story.goals.map((goal) => html`<li>${inlines(goal, withoutTerms(context))}</li>`)}
     </ul>`;
 }
 
 /** The lessons that come first, and what else the reader must know, as the items of a list. */
-function prerequisites({ lesson, texts, addressOf }: Telling, language: Language): unknown[] {
+function prerequisites({ lesson, texts, addressOf }: TextContext, language: Language): unknown[] {
   if (lesson.prerequisites === undefined) return [];
   const lessons = lesson.prerequisites.map(({ id, title }) => {
     const address = addressOf(id);
@@ -101,7 +101,7 @@ function termList(terms: readonly Term[], language: Language): unknown {
 
 /** The publications on which the lesson rests. */
 export function sources(
-  { lesson, texts }: Telling,
+  { lesson, texts }: TextContext,
   language: Language,
 ): TemplateResult | typeof nothing {
   const all = lesson.sources ?? [];
@@ -135,8 +135,8 @@ export function sources(
 }
 
 /** The answers together, for the end of the printed text. */
-export function printedAnswers(telling: Telling): TemplateResult | typeof nothing {
-  const { story, texts } = telling;
+export function printedAnswers(context: TextContext): TemplateResult | typeof nothing {
+  const { story, texts } = context;
   const answered = story.blocks.filter(
     (block): block is Question & { readonly answer: Blocks } =>
       (block.is === 'question' || block.is === 'exercise') && block.answer !== undefined,
@@ -147,7 +147,7 @@ export function printedAnswers(telling: Telling): TemplateResult | typeof nothin
     ${answered.map(
       ({ is, number, answer }) =>
         html`<p class="number">${texts[is](number)}</p>
-          ${blocks(answer, withoutPlaces(telling))}`,
+          ${blocks(answer, withoutPlaces(context))}`,
     )}
   </section>`;
 }

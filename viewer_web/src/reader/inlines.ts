@@ -6,8 +6,8 @@ import { withTerms } from '../elements/term.js';
 import { glued, withoutBadBreaks } from './glue.js';
 import type { Glued } from './glue.js';
 import type { Inline, Inlines, PinLink } from './story.js';
-import { withoutTerms } from './telling.js';
-import type { Telling } from './telling.js';
+import { withoutTerms } from './context.js';
+import type { TextContext } from './context.js';
 
 /** A TeX formula as MathML, on a line of its own or in text. Invalid TeX is shown as written. */
 export function formula(tex: string, isOnItsOwn = false): TemplateResult {
@@ -24,26 +24,29 @@ function mathOf(tex: string, displayMode: boolean): Node | TemplateResult {
   }
 }
 
-type Told = string | TemplateResult;
+type InlineTemplate = string | TemplateResult;
 
 /** Code of at most this many characters stays on one line: a line must not end after the hyphens of an option. */
 const longestWhole = 24;
 
-/** The inlines of a text as templates. Without a telling there are no links, as in a table of contents. */
-export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
+/** The inlines of a text as templates. Without a context there are no links, as in a table of contents. */
+export function inlines(text: Inlines, context: TextContext | null): readonly InlineTemplate[] {
   return glued(text).flatMap((inline) => {
-    if (typeof inline !== 'string') return [told(inline, telling)];
+    if (typeof inline !== 'string') return [templateOf(inline, context)];
     const words = withoutBadBreaks(inline);
-    return telling?.terms ? withTerms(words, telling.terms) : [words];
+    return context?.terms ? withTerms(words, context.terms) : [words];
   });
 }
 
-function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null): Told {
+function templateOf(
+  inline: Exclude<Inline, string> | Glued,
+  context: TextContext | null,
+): InlineTemplate {
   switch (inline.is) {
     case 'emphasis':
-      return html`<em>${inlines(inline.text, telling)}</em>`;
+      return html`<em>${inlines(inline.text, context)}</em>`;
     case 'strong':
-      return html`<strong>${inlines(inline.text, telling)}</strong>`;
+      return html`<strong>${inlines(inline.text, context)}</strong>`;
     case 'code':
       return html`<code class=${inline.text.length > longestWhole ? nothing : 'glued'}
         >${inline.text}</code
@@ -56,28 +59,32 @@ function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null):
     case 'lesson':
     case 'link':
       // A link is a control already, and contains no other.
-      return link(inline, inlines(inline.text, telling && withoutTerms(telling)), telling);
+      return link(inline, inlines(inline.text, context && withoutTerms(context)), context);
   }
 }
 
 function link(
   inline: Extract<Inline, { readonly is: 'pin' | 'lesson' | 'link' }>,
-  words: readonly Told[],
-  telling: Telling | null,
+  words: readonly InlineTemplate[],
+  context: TextContext | null,
 ): TemplateResult {
-  if (telling === null) return html`${words}`;
-  if (inline.is === 'pin') return pinLink(inline, words, telling);
+  if (context === null) return html`${words}`;
+  if (inline.is === 'pin') return pinLink(inline, words, context);
   if (inline.is === 'link') {
     return html`<a class="link" href=${inline.url} target="_blank" rel="noopener noreferrer"
       >${words}</a
     >`;
   }
-  const address = telling.addressOf(inline.id);
+  const address = context.addressOf(inline.id);
   return address === null ? html`${words}` : html`<a class="lesson" href=${address}>${words}</a>`;
 }
 
-function pinLink(link: PinLink, words: readonly Told[], telling: Telling): TemplateResult {
-  const { lesson, story, texts, current, addressOf, runOf, isCopy = false } = telling;
+function pinLink(
+  link: PinLink,
+  words: readonly InlineTemplate[],
+  context: TextContext,
+): TemplateResult {
+  const { lesson, story, texts, current, addressOf, runOf, isCopy = false } = context;
   const place = story.places.get(link);
   const pin = lesson.pins.get(link.pin);
   if (place === undefined || pin === undefined) return html`${words}`;

@@ -21,8 +21,8 @@ import type { AddressOf } from './links.js';
 import { ReadingPlace } from './reading-place.js';
 import type { Goal, Reached } from './reading-place.js';
 import type { LessonStory, Pin } from './story.js';
-import { withoutTerms } from './telling.js';
-import type { Telling } from './telling.js';
+import { withoutTerms } from './context.js';
+import type { TextContext } from './context.js';
 
 /** The SVG drawings of a lesson, as addresses that images can show. */
 class Drawings {
@@ -698,16 +698,16 @@ export class ReaderElement extends LitElement {
       <div class="bar">${this.choice()} ${this.neighbours('short')}</div>
       <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
         <slot></slot>
-        ${this.story === null ? this.excuse() : keyed(this.story.id, this.told(this.story))}
+        ${this.story === null ? this.excuse() : keyed(this.story.id, this.textOf(this.story))}
       </div>
     `;
   }
 
-  private told(lesson: LessonStory): TemplateResult {
+  private textOf(lesson: LessonStory): TemplateResult {
     const { language, addressOf, current } = this;
     const { reader, page } = texts[language];
     const story = lesson.story[language];
-    const telling: Telling = {
+    const context: TextContext = {
       lesson,
       texts: reader,
       story,
@@ -719,9 +719,9 @@ export class ReaderElement extends LitElement {
       language,
     };
     return html`<article lang=${language}>
-      <h2>${inlines(story.title, withoutTerms(telling))}</h2>
-      ${opening(telling, language)} ${blocks(story.blocks, telling)} ${sources(telling, language)}
-      ${printedAnswers(telling)} ${this.neighbours('long')}
+      <h2>${inlines(story.title, withoutTerms(context))}</h2>
+      ${opening(context, language)} ${blocks(story.blocks, context)} ${sources(context, language)}
+      ${printedAnswers(context)} ${this.neighbours('long')}
     </article>`;
   }
 
@@ -742,9 +742,9 @@ export class ReaderElement extends LitElement {
   /** The choice of a lesson among those that have a text, and of a run of the current lesson. */
   private choice(): TemplateResult | typeof nothing {
     const { language, lessons, story } = this;
-    const told = lessons.filter((lesson) => lesson.story !== undefined);
-    const runs = told.find(({ id }) => id === story?.id)?.traces ?? [];
-    if (story === null || told.length + runs.length <= 2) return nothing;
+    const withText = lessons.filter((lesson) => lesson.story !== undefined);
+    const runs = withText.find(({ id }) => id === story?.id)?.traces ?? [];
+    if (story === null || withText.length + runs.length <= 2) return nothing;
     const { page, reader } = texts[language];
     return html`<select
       aria-label=${page.lessons}
@@ -752,7 +752,7 @@ export class ReaderElement extends LitElement {
       @change=${this.onChoose}
     >
       <optgroup label=${page.lessons}>
-        ${told.map(
+        ${withText.map(
           ({ id, title }) =>
             html`<option value=${id} ?selected=${id === story.id}>${title[language]}</option>`,
         )}

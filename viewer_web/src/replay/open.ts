@@ -74,13 +74,13 @@ export async function* read(
 export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
   let isOver = false;
   const readOn = async (): Promise<void> => {
-    let [told, rested] = [-Infinity, performance.now()];
+    let [shown, rested] = [-Infinity, performance.now()];
     for await (const trace of read(file)) {
       if (isOver) return;
       const now = performance.now();
-      if (trace.complete || (trace.timeline.length > 0 && now >= told + pause)) {
+      if (trace.complete || (trace.timeline.length > 0 && now >= shown + pause)) {
         grown(trace);
-        told = now;
+        shown = now;
       }
       if (now < rested + atOnce) continue;
       await breath();

@@ -5,7 +5,7 @@ import type { Header } from '../trace/header.js';
 import { engine } from './engine.js';
 import { Screen } from './screen.js';
 import type { Division } from './screen.js';
-import { Telling } from './values.js';
+import { ValueReader } from './values.js';
 import type { Line, Values } from './values.js';
 
 /** The state after a step. */
@@ -20,7 +20,7 @@ const forgotten = new FinalizationRegistry((trace: number) => engine().exports.t
 /** The steps of a trace, which the library holds and which may grow at its end. */
 export class Timeline {
   private column = new Uint8Array(0);
-  private readonly telling = new Telling();
+  private readonly values = new ValueReader();
   private readonly division: Division = { of: '', windows: [] };
   private last: { readonly step: number; readonly event: Event } | null = null;
 
@@ -29,7 +29,7 @@ export class Timeline {
     private readonly header: Header,
   ) {
     // Screens outlive their timeline, and hold this.
-    forgotten.register(this.telling, trace);
+    forgotten.register(this.values, trace);
   }
 
   get length(): number {
@@ -71,9 +71,9 @@ export class Timeline {
 
   /** The state after the first `step` events. */
   seek(step: number): State {
-    const { header, telling, trace, division } = this;
-    const screen = new Screen(header, trace, () => telling.goTo(trace, step), division);
-    return { values: telling.at(trace, step), screen };
+    const { header, values, trace, division } = this;
+    const screen = new Screen(header, trace, () => values.goTo(trace, step), division);
+    return { values: values.at(trace, step), screen };
   }
 
   /** The lines that a run of curves has drawn after a step. */
@@ -83,6 +83,6 @@ export class Timeline {
 
   /** The values after the first `step` events. */
   valuesAt(step: number): Values {
-    return this.telling.at(this.trace, step);
+    return this.values.at(this.trace, step);
   }
 }

@@ -21,7 +21,7 @@ export interface Ended {
 export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
 /** Why it is shorter, as the library says it. */
-interface Told {
+interface ShortenedByLibrary {
   readonly why: 'cut' | 'partial' | 'wrong';
   readonly line: number;
   readonly reason: string;
@@ -39,8 +39,8 @@ export class Unreadable extends Error implements Complaint {
 }
 
 /** The library's reason, "/path: reason" or a reason alone. */
-function placed(told: string): Pick<Complaint, 'path' | 'reason'> {
-  const [, path = '', reason = told] = /^(\/\S*): (.*)$/su.exec(told) ?? [];
+function placed(text: string): Pick<Complaint, 'path' | 'reason'> {
+  const [, path = '', reason = text] = /^(\/\S*): (.*)$/su.exec(text) ?? [];
   return { path, reason };
 }
 
@@ -108,9 +108,9 @@ export class Trace {
   grow(): void {
     this.timeline.grow();
     engine().exports.trace_shortened(this.number);
-    const told = engine().made();
-    if (told === '') return;
-    const { why, line, reason } = JSON.parse(told) as Told;
+    const made = engine().made();
+    if (made === '') return;
+    const { why, line, reason } = JSON.parse(made) as ShortenedByLibrary;
     this.shortened =
       why === 'wrong' ? { why, line, ...placed(reason) } : { why, line: this.timeline.length + 1 };
   }

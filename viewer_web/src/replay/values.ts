@@ -95,8 +95,8 @@ type News = Fields & { readonly lists?: Readonly<Record<string, Apl['entries']>>
 
 const mostLists = 1000;
 
-/** The values of a run as the library tells them: all at first, then those that differ from the ones told before. */
-export class Telling {
+/** The values of a run from the library: all at first, then those that differ from the ones before. */
+export class ValueReader {
   private raw: Fields = {};
   private readonly lists = new Map<number, Apl>();
   private current: Values | null = null;

@@ -1,5 +1,5 @@
 import type { Finding } from '../exactness/finding.js';
-import { toldCheck, Truth } from '../exactness/truth.js';
+import { ownCheck, Truth } from '../exactness/truth.js';
 import type { Check, Unable } from '../exactness/truth.js';
 import type { Trace } from '../replay/trace.js';
 import { Finder } from './finder.js';
@@ -43,8 +43,8 @@ export class Checks {
   of(trace: Trace): Check {
     const found = this.found.get(trace);
     if (found !== undefined) return found;
-    const told = toldCheck(trace);
-    return told.is === 'certain' && this.doubted.has(trace) ? unchecked : told;
+    const own = ownCheck(trace);
+    return own.is === 'certain' && this.doubted.has(trace) ? unchecked : own;
   }
 
   /** Another program may have written the trace, so that its kernel alone proves nothing. */

@@ -14,7 +14,7 @@ interface NamedRun {
 }
 
 /** The library's description of a failure; `trace/wasm/live.cpp` documents it. */
-interface Told {
+interface FailureFile {
   readonly title: Bilingual;
   readonly why: Bilingual;
   readonly remedy: Bilingual;
@@ -29,7 +29,7 @@ interface Told {
 }
 
 /** A scene on which a run fails, ready to be shown. */
-export interface Failure extends Omit<Told, 'fails' | 'holds'> {
+export interface Failure extends Omit<FailureFile, 'fails' | 'holds'> {
   /** The text of its scene. */
   readonly scene: string;
   readonly fails: Options;
@@ -43,11 +43,11 @@ export type Found = { readonly failure: Failure } | { readonly messages: string 
 const optionsOf = (run: NamedRun): Options => ({ ...usual, ...run });
 
 function failureOf(text: string, made: string): Failure {
-  const { fails, holds, ...told } = JSON.parse(made) as Told;
+  const { fails, holds, ...others } = JSON.parse(made) as FailureFile;
   const file = JSON.parse(text) as { scene: unknown; holds: { scene?: unknown } };
   const own = file.holds.scene;
   return {
-    ...told,
+    ...others,
     scene: JSON.stringify(file.scene),
     fails: optionsOf(fails),
     holds: optionsOf(holds),

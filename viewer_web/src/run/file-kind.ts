@@ -16,7 +16,7 @@ const kinds: ReadonlyMap<string, FileKind> = new Map([
 ]);
 
 /** Keys that identify the kind of a file without a format; `document_format` of the program has the same. */
-const telling: ReadonlyMap<string, FileKind> = new Map([
+const kindByKey: ReadonlyMap<string, FileKind> = new Map([
   ['polygons', 'scene'],
   ['curves', 'scene'],
   ['function', 'scene'],
@@ -33,8 +33,8 @@ function saidIn(start: string): FileKind | null {
   for (const [token] of start.matchAll(tokens)) {
     if (depth === 1 && token === ':') {
       key = last.slice(1, -1);
-      const told = telling.get(key);
-      if (told !== undefined) return told;
+      const kind = kindByKey.get(key);
+      if (kind !== undefined) return kind;
     } else if (depth === 1 && key === 'format' && token.startsWith('"')) {
       return kinds.get(token.slice(1, -1).split('/')[0] ?? '') ?? null;
     } else {

@@ -23,8 +23,8 @@ export function faultsOf(messages: string): readonly Fault[] {
     .map((line) => line.trim().replace(/^(scene|request): /u, ''))
     .filter((line) => line !== '')
     .map((line) => {
-      const [, row, column, told = line] = /^line (\d+), column (\d+): (.*)$/su.exec(line) ?? [];
-      const [, place = '', reason = told] = /^(\/\S*): (.*)$/su.exec(told) ?? [];
+      const [, row, column, text = line] = /^line (\d+), column (\d+): (.*)$/su.exec(line) ?? [];
+      const [, place = '', reason = text] = /^(\/\S*): (.*)$/su.exec(text) ?? [];
       const at = (number: string | undefined): number | null =>
         number === undefined ? null : Number(number);
       return { line: at(row), column: at(column), place, reason };

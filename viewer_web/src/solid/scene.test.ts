@@ -121,8 +121,8 @@ describe('the corners of the window', () => {
 describe('PointColor', () => {
   it('has a line through the middle of the window, and its intersections with polygons', async () => {
     const call: Event = { e: 'call', at: 'W9', of: 'PointColor' };
-    const told: Event = { e: 'depth', at: 'PC3', polygon: 'A', point: [6, 2], z: 0.5 };
-    const view = await after('warnock', push, window, call, told);
+    const depth: Event = { e: 'depth', at: 'PC3', polygon: 'A', point: [6, 2], z: 0.5 };
+    const view = await after('warnock', push, window, call, depth);
     const { dots, labels } = stepDrawing(view, spaceOf(view));
     // (6, 2) is 2 to the right of the middle and 2 above it; 1/2 is the middle depth.
     expect(dots).toEqual([{ role: 'point', at: [2, -2, 0] }]);

@@ -329,7 +329,7 @@ export class SliderElement extends LitElement {
       <vidno-strip-legend
         .header=${view.header}
         .language=${language}
-        ?unchecked=${this.check.is !== 'told' && this.check.is !== 'certain' && this.check.is !== 'found'}
+        ?unchecked=${this.check.is !== 'checked' && this.check.is !== 'certain' && this.check.is !== 'found'}
       ></vidno-strip-legend>
       <vidno-overview
         .zoom=${zoom}

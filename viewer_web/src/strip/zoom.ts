@@ -15,7 +15,7 @@ export class Zoom {
   private step = 0;
   /** In fractions of steps, so that small turns of a wheel add up; null for the whole. */
   private chosen: Range | null = null;
-  private told: Range = wholeOf(0);
+  private reported: Range = wholeOf(0);
 
   /**
    * Follows the run as far as it is read, and the current step. When the step changes and leaves the range, the range
@@ -39,8 +39,8 @@ export class Zoom {
   /** In whole steps; the same object while it stays the same. */
   get range(): Range {
     const { from, to } = inSteps(this.exact);
-    if (this.told.from !== from || this.told.to !== to) this.told = { from, to };
-    return this.told;
+    if (this.reported.from !== from || this.reported.to !== to) this.reported = { from, to };
+    return this.reported;
   }
 
   get isWhole(): boolean {

@@ -25,7 +25,7 @@ const passage: Said = {
 
 export const evil = '<img src=x onerror=alert(1)>';
 
-function told(language: Language): object {
+function storyIn(language: Language): object {
   const say = (en: string, ru: string): string => (language === 'en' ? en : ru);
   const words = paragraph(passage[language]);
   return {
@@ -132,7 +132,7 @@ export function sampleLesson(other: object = {}): object {
         translations: { ru: 'Роджерс Д. Основы.' },
       },
     ],
-    story: { en: told('en'), ru: told('ru') },
+    story: { en: storyIn('en'), ru: storyIn('ru') },
     ...other,
   };
 }

@@ -114,11 +114,11 @@ export class Goals {
   /** In the Z-buffer algorithm, all steps from one `polygon` to the next concern that polygon. */
   private isOf(polygon: string): Test {
     const { timeline } = this.trace;
-    let inHand = false;
+    let current = false;
     return (step, name) => {
-      if (havePolygon[name] !== true) return inHand;
+      if (havePolygon[name] !== true) return current;
       const named = namesPolygon(timeline.line(step), polygon);
-      if (name === numberOf.get('polygon')) inHand = named;
+      if (name === numberOf.get('polygon')) current = named;
       return named;
     };
   }

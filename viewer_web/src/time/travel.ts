@@ -263,7 +263,7 @@ export class TravelElement extends LitElement {
   private none(): string {
     const { exact } = texts[this.view.language];
     const { is } = this.check;
-    if (this.goal !== 'wrong' || is === 'told' || is === 'certain' || is === 'found') {
+    if (this.goal !== 'wrong' || is === 'checked' || is === 'certain' || is === 'found') {
       return this.texts.noGoal;
     }
     return is === 'checking' ? exact.checkingShort : exact.notChecked;

@@ -61,7 +61,7 @@ export const tells = (method: Method, name: EventName): boolean =>
   (eventsOf[method] as readonly EventName[]).includes(name);
 
 /** Whether the event may occur at any line of a run. */
-export const isToldAnywhere = (name: EventName): boolean => kinds[name].at === null;
+export const isOfAnyLine = (name: EventName): boolean => kinds[name].at === null;
 
 /** Whether it goes from window to window. */
 export const hasWindows = (method: Method): boolean => tells(method, 'pop');

@@ -45,9 +45,9 @@ function things({ after: { warnock } }: View): readonly string[] {
 }
 
 /** A window is popped once, and decided once. */
-function landmark(event: Event, inHand: string): string | null {
+function landmark(event: Event, current: string): string | null {
   if (event.e === 'pop') return `window ${event.window.join()}`;
-  return event.e === 'decide' ? `decide ${inHand}` : null;
+  return event.e === 'decide' ? `decide ${current}` : null;
 }
 
 const sums: Algorithm['sums'] = [

@@ -453,7 +453,7 @@ function foundBy(trace: Trace, step: number, until: number): readonly { readonly
     ({ event }) => event.at === 'PW6' || event.at === 'HP4',
   );
   const first = found[0]?.event.polygon; // at each corner it is the nearest so far, whatever its depth
-  const telling = compared.filter(({ event: { polygon, corner, nearer } }) => {
+  const choices = compared.filter(({ event: { polygon, corner, nearer } }) => {
     const { k = 0, corners: at = [] } =
       found.find(({ event }) => event.polygon === polygon)?.event ?? {};
     if (polygon === first || corner === undefined) return false;
@@ -461,7 +461,7 @@ function foundBy(trace: Trace, step: number, until: number): readonly { readonly
   });
   return [
     ...stepsOf(trace, step, until, 'mark'),
-    ...telling,
+    ...choices,
     ...found,
     ...stepsOf(trace, step, until, 'uncover'),
     ...stepsOf(trace, step, until, 'cover'),

@@ -16,16 +16,16 @@ export function containmentMarks(warnock: Warnock | null, scene: Scene): readonl
   const last = contained.at(-1);
   if (window === null || last === undefined) return [];
   const polygon = scene.byId.get(last.polygon);
-  const inHand = edgeOf(polygon, last.edge, 'side');
+  const current = edgeOf(polygon, last.edge, 'side');
   return last.e === 'ray'
     ? [
         ...rayMarks(window, scene),
-        ...inHand,
+        ...current,
         ...contained.flatMap((each) => crossing(each, polygon, window, scene)),
       ]
     : [
         ...octantMarks(window, scene),
-        ...inHand,
+        ...current,
         ...contained.flatMap((each) => turn(each, polygon)),
       ];
 }

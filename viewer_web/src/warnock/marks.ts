@@ -5,7 +5,7 @@ import {
   eventMarks,
   onRow,
   painted,
-  polygonInHand,
+  currentPolygon,
   polygonMark,
   rowBoxes,
 } from '../picture/event-marks.js';
@@ -89,7 +89,7 @@ const draws: Draws = {
 /** The windows, the clipped polygon, and the decision of the step. */
 export const marks = (view: View, sight: Sight): readonly Mark[] => [
   ...treeMarks(view, sight),
-  ...polygonMark(polygonInHand(view)),
+  ...polygonMark(currentPolygon(view)),
   ...stateMarks(view),
   ...eventMarks(draws, view),
 ];

@@ -43,9 +43,9 @@ export function ownersOf(
 ): Owners {
   if (e === 'fill' && fillsGround.includes(at)) return background;
   const isPoint = fillsPoint.includes(at);
-  const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
+  const id = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
   // A trace that contradicts itself gets no name, only the colour that it records.
-  if (told !== null) return scene.byId.get(told)?.color === color ? ownedBy(told) : nobody;
+  if (id !== null) return scene.byId.get(id)?.color === color ? ownedBy(id) : nobody;
   const isBackground = color === scene.background;
   if (isPoint && isBackground && detail !== 'windows') return background;
   return {

@@ -1,5 +1,5 @@
 import { countedIn, texts } from '../i18n/index.js';
-import type { Outlined, Told } from '../outline/outlined.js';
+import type { NodeData, Outlined } from '../outline/outlined.js';
 import { cases } from '../time/course.js';
 import type { Case } from '../time/course.js';
 import { sayWindow } from '../time/place.js';
@@ -12,7 +12,7 @@ const showing: Readonly<Partial<Record<Case, readonly EventName[]>>> = {
   single: ['draw'],
 };
 
-function shownIn({ stepsOf, event }: Told, which: Case | undefined): string | null {
+function shownIn({ stepsOf, event }: NodeData, which: Case | undefined): string | null {
   const names = which === undefined ? [] : (showing[which] ?? []);
   const last = Math.max(0, ...names.flatMap((name) => stepsOf(name)));
   const found = event(last);
@@ -22,8 +22,8 @@ function shownIn({ stepsOf, event }: Told, which: Case | undefined): string | nu
 /** The windows, each nested in the one that was divided. */
 export const outline: Outlined = {
   parts: [],
-  say(told, language) {
-    const { kind, first, last, part, event } = told;
+  say(node, language) {
+    const { kind, first, last, part, event } = node;
     const { strip, numbers, outline: say } = texts[language];
     if (kind === 'ProcessWindow') {
       const summary = event(last);
@@ -35,7 +35,7 @@ export const outline: Outlined = {
     if (begins?.e !== 'pop') return null;
     const window = sayWindow(begins.window, { strip, numbers });
     const which = cases[part];
-    const shown = shownIn(told, which);
+    const shown = shownIn(node, which);
     const comes =
       which === undefined ? [] : [strip.cases[which], ...(shown === null ? [] : [shown])];
     return comes.length === 0 ? window : `${window}: ${comes.join(', ')}`;

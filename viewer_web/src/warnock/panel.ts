@@ -92,11 +92,11 @@ export class WarnockPanel extends LitElement {
   override render(): TemplateResult {
     const { method } = this.view.header;
     const corners = method === 'warnock-simplest' ? nothing : this.corners();
-    const lists = this.areListsTold
+    const lists = this.areListsReported
       ? this.hasThree
         ? this.threeLists()
         : this.apl()
-      : this.listsUntold();
+      : this.noLists();
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
   }
 
@@ -105,11 +105,11 @@ export class WarnockPanel extends LitElement {
   }
 
   /** At the level of windows the trace does not say which polygons leave a list. */
-  private get areListsTold(): boolean {
+  private get areListsReported(): boolean {
     return this.view.header.detail !== 'windows';
   }
 
-  private listsUntold(): TemplateResult {
+  private noLists(): TemplateResult {
     const { apl, notInTrace } = this.view.texts;
     return html`<section class="polygons untold" data-part="active-polygons">
       <h3>${apl}</h3>
@@ -135,7 +135,7 @@ export class WarnockPanel extends LitElement {
         )}
         ${this.found()}
         ${value('C', color ? swatch(color) : page.none, isSet(now.color, old.color))}
-        ${this.inHand()}
+        ${this.current()}
       </dl>
     </section>`;
   }
@@ -158,7 +158,7 @@ export class WarnockPanel extends LitElement {
   }
 
   /** The lists of PolygonClip, or the findings of PointColor; at most one of them is in use. */
-  private inHand(): TemplateResult {
+  private current(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
     if (now.clip) {
@@ -234,11 +234,11 @@ export class WarnockPanel extends LitElement {
   private entry([id, surrounds]: Entry): TemplateResult {
     const before = this.old.apl?.entries.find(([other]) => other === id);
     const { event, texts: page } = this.view;
-    const inHand = event !== null && 'polygon' in event && event.polygon === id;
+    const current = event !== null && 'polygon' in event && event.polygon === id;
     const changed = before !== undefined && before[1] !== surrounds;
     const thing = polygonThing(id);
     const pointed = thing === this.view.pointed;
-    return html`<tr class=${classMap({ current: inHand, pointed })} data-thing=${thing}>
+    return html`<tr class=${classMap({ current: current, pointed })} data-thing=${thing}>
       <td>${polygonName(id, this.view)}</td>
       <td class=${classMap({ changed })}>${surrounds ? page.surrounds : ''}</td>
     </tr>`;
@@ -281,7 +281,7 @@ export class WarnockPanel extends LitElement {
         ${numbersOf(this.view).windowText(window)}
       </td>
       ${
-        this.areListsTold
+        this.areListsReported
           ? html`<td class="number">${entries.length}</td>
               ${chipsCell(ids, this.view)}`
           : nothing

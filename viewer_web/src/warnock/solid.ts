@@ -5,7 +5,7 @@ import type { View } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { polygonInHand } from '../picture/event-marks.js';
+import { currentPolygon } from '../picture/event-marks.js';
 import { cornerOf } from '../picture/mark.js';
 import type { Role } from '../picture/mark.js';
 import type { Warnock } from '../replay/values.js';
@@ -52,12 +52,12 @@ function cornerDepths(view: View): readonly CornerDepth[] {
   // The step that copies the nearer depths shows the depths that they were compared with.
   const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
   if (window === null || !stored) return [];
-  const isInHand = comparedPolygon(view) !== null;
+  const isCurrent = comparedPolygon(view) !== null;
   return corners.map((corner, i) => ({
     corner,
     at: cornerOf(window, corner),
     stored: stored[corner],
-    own: (isInHand ? depths[i] : null) ?? null,
+    own: (isCurrent ? depths[i] : null) ?? null,
     nearer: answerAt(corner, view),
   }));
 }
@@ -72,7 +72,7 @@ interface PointDepth {
   readonly polygon: string;
   readonly z: N;
   /** Whether the procedure has computed it. A later depth is only drawn. */
-  readonly told: boolean;
+  readonly isReported: boolean;
   readonly role: Role;
 }
 
@@ -93,12 +93,15 @@ function depthsAtPoint(view: View): readonly PointDepth[] {
   return shownIn(warnock, view.header.scene).flatMap((id): readonly PointDepth[] => {
     const polygon = view.header.scene.byId.get(id);
     if (polygon === undefined || !holds(polygon, ...at)) return [];
-    if (nearest?.polygon === id) return [{ polygon: id, z: nearest.z, told: true, role: 'yes' }];
+    if (nearest?.polygon === id)
+      return [{ polygon: id, z: nearest.z, isReported: true, role: 'yes' }];
     const z = depthInHand(view, id);
     if (z === null) {
-      return [{ polygon: id, z: planeOf(polygon)(...at), told: false, role: 'window' }];
+      return [{ polygon: id, z: planeOf(polygon)(...at), isReported: false, role: 'window' }];
     }
-    return [{ polygon: id, z, told: true, role: view.event?.e === 'compare' ? 'no' : 'point' }];
+    return [
+      { polygon: id, z, isReported: true, role: view.event?.e === 'compare' ? 'no' : 'point' },
+    ];
   });
 }
 
@@ -113,7 +116,7 @@ export function drawing(view: View, space: Space): Drawing {
   const { stack, window, clip } = warnock;
   const isAtPoint = pointInHand(view) !== null;
   return together(
-    activeDrawing(polygonInHand(view)),
+    activeDrawing(currentPolygon(view)),
     { lines: stack.flatMap((each) => cased('stacked', level(each.window, space.far))) },
     window ? column(window, space, 'window') : {},
     clip ? clipDrawing(clip) : {},
@@ -204,8 +207,8 @@ function pointDrawing(view: View, space: Space): Partial<Drawing> {
   return {
     lines: along(...at, space, 'side'),
     dots: depths.map(({ z, role }) => ({ role, at: spotAt(at, z) })),
-    labels: depths.map(({ polygon, z, role, told }) => ({
-      text: told ? `${polygon} ${short(z)}` : polygon,
+    labels: depths.map(({ polygon, z, role, isReported }) => ({
+      text: isReported ? `${polygon} ${short(z)}` : polygon,
       at: spotAt(at, z),
       side: [1, 0],
       strong: role === 'yes',
@@ -241,8 +244,8 @@ function cornerWords(view: View, texts: SolidTexts): readonly string[] {
 function pointWords(view: View, texts: SolidTexts): readonly string[] {
   const at = pointInHand(view) ?? [];
   const { joined, point, short } = numbersOf(view);
-  const depths = depthsAtPoint(view).map(({ polygon, z, told }) =>
-    told ? `${polygon} ${short(z)}` : polygon,
+  const depths = depthsAtPoint(view).map(({ polygon, z, isReported }) =>
+    isReported ? `${polygon} ${short(z)}` : polygon,
   );
   return [texts.point(point(at), joined(depths) || texts.noPolygon)];
 }

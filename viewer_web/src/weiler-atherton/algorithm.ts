@@ -1,7 +1,7 @@
 import { defineAlgorithm } from '../algorithm/algorithm.js';
 import { nobody, ownedBy } from '../algorithm/owners.js';
 import { cells } from '../language/words.js';
-import { polygonInHand } from '../picture/event-marks.js';
+import { currentPolygon } from '../picture/event-marks.js';
 import { activeDrawing } from '../solid/drawing.js';
 import {
   behind,
@@ -28,7 +28,7 @@ defineAlgorithm(['weiler-atherton'], {
   marks,
   figure: figureOf,
   solid: {
-    drawing: (view) => activeDrawing(polygonInHand(view)),
+    drawing: (view) => activeDrawing(currentPolygon(view)),
     caption: () => [],
   },
   lanes: { first: 'polygons', below: [[], ['calls']] },

@@ -313,8 +313,8 @@ export const behind: Asker<'behind'> = {
     if (result === null || inHand === null || clip === undefined) return null;
     const parts = inHand.inside.filter(([, , ground]) => !ground);
     const ids = new Set(parts.map(([id]) => id));
-    const areTold = parts.every(([, region]) => region.flat(2).every(isTold));
-    if (parts.length === 0 || ids.size < parts.length || !areTold) return null;
+    const areNumbers = parts.every(([, region]) => region.flat(2).every(isNumber));
+    if (parts.length === 0 || ids.size < parts.length || !areNumbers) return null;
     if (parts.length > mostOptions) return null;
     const until = result.step;
     const compared = stepsOf(trace, step, until, 'behind');
@@ -348,7 +348,8 @@ export const behind: Asker<'behind'> = {
   },
 };
 
-const isTold = (value: Parameters<typeof toNumber>[0]): boolean => Number.isFinite(toNumber(value));
+const isNumber = (value: Parameters<typeof toNumber>[0]): boolean =>
+  Number.isFinite(toNumber(value));
 
 /** Which list is popped from the stack next, and which polygon clips then? A single list would be obvious. */
 export const stack: Asker<'stack'> = {

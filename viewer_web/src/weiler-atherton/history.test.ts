@@ -16,8 +16,8 @@ describe('the history of a pixel among regions', () => {
   it('follows the pieces over its centre, until one of them is visible', async () => {
     // The centre (5.5, 5.5) lies in A and in B, which is nearer, and not in C.
     const { entries } = await historyAt([5, 5]);
-    const told = entries.map(({ event: { e }, outcome }) => `${e} ${outcome}`);
-    expect(told).toEqual([
+    const outcomes = entries.map(({ event: { e }, outcome }) => `${e} ${outcome}`);
+    expect(outcomes).toEqual([
       'cut_to_area note', // A
       'cut_to_area note', // B
       'split note', // A: its left piece contains the centre

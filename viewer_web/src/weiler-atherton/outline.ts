@@ -1,11 +1,11 @@
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { Outlined, Told } from '../outline/outlined.js';
+import type { NodeData, Outlined } from '../outline/outlined.js';
 
 const mostNamed = 4;
 
 /** The result of a list: its clip polygon is visible, or these polygons are in front of it, and it is put after them. */
-function outcome({ event, stepsOf }: Told, language: Language): string | null {
+function outcome({ event, stepsOf }: NodeData, language: Language): string | null {
   const { visible, inFront } = texts[language].outline;
   if (stepsOf('show').length > 0) return visible;
   const again = stepsOf('push_list')
@@ -21,12 +21,12 @@ function outcome({ event, stepsOf }: Told, language: Language): string | null {
 /** The lists. A list of inside parts that is tried again is nested in the list that the parts come from. */
 export const outline: Outlined = {
   parts: [],
-  say(told, language) {
-    const begins = told.event(told.first);
-    if (told.kind !== 'hand' || begins?.e !== 'pop_list') return null;
+  say(node, language) {
+    const begins = node.event(node.first);
+    if (node.kind !== 'item' || begins?.e !== 'pop_list') return null;
     const say = texts[language].outline;
     const list = say.list(begins.count, begins.clip);
-    const came = outcome(told, language);
+    const came = outcome(node, language);
     return came === null ? list : `${list}: ${came}`;
   },
 };

@@ -21,9 +21,9 @@ function things({ after: { zbuffer } }: View): readonly string[] {
 }
 
 /** A polygon is begun once, and has each row once. */
-function landmark(event: Event, inHand: string): string | null {
+function landmark(event: Event, current: string): string | null {
   if (event.e === 'polygon') return `polygon ${event.polygon}`;
-  return event.e === 'scanline' ? `row ${event.row} ${inHand}` : null;
+  return event.e === 'scanline' ? `row ${event.row} ${current}` : null;
 }
 
 defineAlgorithm(['zbuffer'], {

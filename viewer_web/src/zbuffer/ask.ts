@@ -102,11 +102,13 @@ export const pixels: Asker<'pixels'> = {
   ask(trace, step) {
     const span = nextOf(trace, step, 'span', 'call');
     if (span === null) return null;
-    const told = stepsOf(trace, step, span.step, 'pixel').map((at) => {
+    const compared = stepsOf(trace, step, span.step, 'pixel').map((at) => {
       const { z, stored, shown } = at.event;
       return { ...at, ...at.event, relation: relationOf(z, stored, shown, trace.header) };
     });
-    const contested = told.filter(({ stored, relation }) => stored !== '-inf' && relation !== null);
+    const contested = compared.filter(
+      ({ stored, relation }) => stored !== '-inf' && relation !== null,
+    );
     // The pixels around a change from visible to hidden.
     const change = contested.findIndex(
       ({ shown }, i) => shown !== contested[i - 1]?.shown && i > 0,

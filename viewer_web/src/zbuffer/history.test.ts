@@ -66,7 +66,7 @@ describe('in the Z-buffer', () => {
   });
 
   it('a wrong decision belongs to the entry before it', async () => {
-    const told = (x: number): readonly Event[] => [
+    const eventsAt = (x: number): readonly Event[] => [
       { e: 'pixel', at: 'L6', x, y: 1, z: 0.5, stored: 0.5, shown: false, exact: true },
       { e: 'disagree', at: 'L6', of: 'nearer', taken: false, exact: true, cause: 'rounded' },
     ];
@@ -74,8 +74,8 @@ describe('in the Z-buffer', () => {
       { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' },
       { e: 'call', at: 'Z14', of: 'ShowLine' },
       { e: 'line', at: 'L1', row: 1, from: [0, 0.5], to: [8, 0.5] },
-      ...told(2),
-      ...told(3),
+      ...eventsAt(2),
+      ...eventsAt(3),
       { e: 'span', at: 'Z14', row: 1, runs: [], depths: [] },
     ];
     const history = await readHistory(textWith(headerOf('zbuffer'), events), [3, 1]);

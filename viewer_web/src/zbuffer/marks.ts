@@ -1,6 +1,12 @@
 import type { Thing } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
-import { eventMarks, onRow, polygonInHand, polygonMark, rowBoxes } from '../picture/event-marks.js';
+import {
+  eventMarks,
+  onRow,
+  currentPolygon,
+  polygonMark,
+  rowBoxes,
+} from '../picture/event-marks.js';
 import type { Draws } from '../picture/event-marks.js';
 import { box, edgeOf, path, point } from '../picture/mark.js';
 import type { Mark } from '../picture/mark.js';
@@ -39,7 +45,7 @@ const draws: Draws = {
 
 /** The scanline, the active edges, and the pixels that the step paints. */
 export const marks = (view: View): readonly Mark[] => [
-  ...polygonMark(polygonInHand(view, view.after.zbuffer?.polygon)),
+  ...polygonMark(currentPolygon(view, view.after.zbuffer?.polygon)),
   ...stateMarks(view),
   ...eventMarks(draws, view),
 ];

@@ -5,7 +5,7 @@ import type { View } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/texts.js';
 import type { Numbers } from '../language/texts.js';
 import { toNumber } from '../language/words.js';
-import { polygonInHand } from '../picture/event-marks.js';
+import { currentPolygon } from '../picture/event-marks.js';
 import { activeDrawing, cased, column, noDrawing, together } from '../solid/drawing.js';
 import type { Drawing } from '../solid/drawing.js';
 import type { Space, Spot } from '../solid/space.js';
@@ -22,7 +22,7 @@ export function drawing(view: View, space: Space): Drawing {
   const polygon = polygonOf(view);
   const height = y === null ? NaN : toNumber(y);
   return together(
-    activeDrawing(polygonInHand(view, zbuffer.polygon)),
+    activeDrawing(currentPolygon(view, zbuffer.polygon)),
     row === null ? {} : scanline(row + 0.5, space),
     polygon ? { lines: ael.flatMap(({ edge }) => edgeLine(polygon, edge)) } : {},
     { lines: spansOf(view).flatMap((span) => cased('side', span, false)) },

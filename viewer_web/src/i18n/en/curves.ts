@@ -3,7 +3,7 @@ import { short } from '../../language/words.js';
 
 export const curves = {
   curve: (curve: number): string => `Curve ${curve}`,
-  inHand: 'curve',
+  current: 'curve',
   segment: 'segment',
   edges: 'Side edges',
   left: 'left',

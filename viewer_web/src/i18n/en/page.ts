@@ -185,7 +185,7 @@ export const page = {
     edge: 'active edges',
     chosen: 'chosen pixel',
     visible: 'visible lines',
-    inHand: 'current curve',
+    current: 'current curve',
     upper: 'upper horizon',
     lower: 'lower horizon',
     above: 'above the horizons',

@@ -3,7 +3,7 @@ import { short } from './numbers.js';
 
 export const curves: CurveTexts = {
   curve: (curve) => `Кривая ${curve}`,
-  inHand: 'кривая',
+  current: 'кривая',
   segment: 'отрезок',
   edges: 'Боковые рёбра',
   left: 'левое',

@@ -2,7 +2,7 @@ import type { CommonEvents, FamilyEvents, WarnockEvents } from '../../trace/even
 import type { Box, N } from '../../trace/values.js';
 import { answered, listed, none, of, only, said, total } from './fact.js';
 import type { Fact, Facts, Moment } from './fact.js';
-import { orderOfNumbers, value } from './told.js';
+import { orderOfNumbers, value } from './shown.js';
 
 const corners = {
   lb: said(/top left/iu, /лев\S+ верхн/iu),
@@ -40,9 +40,9 @@ const both = (...facts: readonly Fact[]): Fact => ({
 const xy = ({ vertex }: { readonly vertex: readonly N[] }): Fact => only(...vertex.slice(0, 2));
 
 /** The owner of a colour: the one known for the window, or in a coarse trace all polygons with that colour. */
-function owner(color: string, told: string | null, isGround: boolean, moment: Moment): Fact {
+function owner(color: string, id: string | null, isGround: boolean, moment: Moment): Fact {
   if (isGround) return { says: [background] };
-  if (told !== null) return { ids: [told] };
+  if (id !== null) return { ids: [id] };
   const { detail, scene } = moment;
   if (detail !== 'windows') return { says: [background] };
   const ids = (scene.polygons ?? []).filter((each) => each.color === color).map(({ id }) => id);

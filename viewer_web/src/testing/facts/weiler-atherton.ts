@@ -2,7 +2,7 @@ import type { WeilerAthertonEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, listed, none, of, only, said, total } from './fact.js';
 import type { Facts, Says } from './fact.js';
-import { orderOfNumbers, value } from './told.js';
+import { orderOfNumbers, value } from './shown.js';
 
 type Loops = readonly (readonly (readonly N[])[])[];
 

@@ -3,7 +3,7 @@ import type { ZBufferEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, none, of, only, said, total } from './fact.js';
 import type { Fact, Facts } from './fact.js';
-import { orderOfNumbers, value } from './told.js';
+import { orderOfNumbers, value } from './shown.js';
 
 /** Edges, and the next item if there is one. */
 const edgesAnd = ({

@@ -23,9 +23,9 @@ export function isChecked(trace: Trace): boolean {
 }
 
 /** What the trace alone reveals about a run's decisions. */
-export type Told = 'told' | 'certain' | 'unchecked';
+export type Certainty = 'checked' | 'certain' | 'unchecked';
 
-export function toldOf(trace: Trace): Told {
-  if (isChecked(trace)) return 'told';
+export function certaintyOf(trace: Trace): Certainty {
+  if (isChecked(trace)) return 'checked';
   return isAlwaysRight(trace.header.kernel) ? 'certain' : 'unchecked';
 }

@@ -10,9 +10,10 @@ const linesOf = (method: Method): readonly string[] =>
 const linesByMethod = new Map(methods.map((method) => [method, linesOf(method)]));
 
 /** A method whose runs have such an event at its line. */
-export function tellerOf({ e, at }: Event): Method {
-  const tellers = methods.filter((method) => tells(method, e));
-  const teller = tellers.find((method) => linesByMethod.get(method)?.includes(at)) ?? tellers[0];
-  if (teller === undefined) throw new Error(`no method tells ${e}`);
-  return teller;
+export function methodOf({ e, at }: Event): Method {
+  const reporting = methods.filter((method) => tells(method, e));
+  const method =
+    reporting.find((method) => linesByMethod.get(method)?.includes(at)) ?? reporting[0];
+  if (method === undefined) throw new Error(`no method tells ${e}`);
+  return method;
 }

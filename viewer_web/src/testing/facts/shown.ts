@@ -52,9 +52,9 @@ const rising = (a: number, b: number): number =>
   a < b || Number.isNaN(b) ? -1 : a > b || Number.isNaN(a) ? 1 : 0;
 
 /** A number without the mark of a shortened one is exact. A number that is nearly whole looks whole at four digits. */
-function isOf({ value: told, off }: Shown, right: number): boolean {
-  if (Object.is(told, right) || told === right) return true;
-  return off > 0 && Math.abs(told - right) <= Math.max(off, 0.0005 * Math.abs(told));
+function isOf({ value: shown, off }: Shown, right: number): boolean {
+  if (Object.is(shown, right) || shown === right) return true;
+  return off > 0 && Math.abs(shown - right) <= Math.max(off, 0.0005 * Math.abs(shown));
 }
 
 /** Whether these numbers are stated. Both are rising. Exact numbers come first, since a shortened one may look like one of them. */

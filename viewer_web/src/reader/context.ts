@@ -5,7 +5,7 @@ import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
 
 /** What the rendering of a story needs from the page. */
-export interface Telling {
+export interface TextContext {
   readonly lesson: LessonStory;
   readonly texts: ReaderTexts;
   readonly story: Story;
@@ -25,10 +25,10 @@ export interface Telling {
 }
 
 /** Explains no term, as in a heading, a caption or a link. */
-export const withoutTerms = (telling: Telling): Telling => ({ ...telling, terms: null });
+export const withoutTerms = (context: TextContext): TextContext => ({ ...context, terms: null });
 
 /** Makes no places, for a copy of a text that is printed elsewhere. */
-export const withoutPlaces = (telling: Telling): Telling => ({
-  ...withoutTerms(telling),
+export const withoutPlaces = (context: TextContext): TextContext => ({
+  ...withoutTerms(context),
   isCopy: true,
 });
