@@ -114,8 +114,8 @@ std::vector<double> values_of_run(const Condition& condition, auto request, Proc
                                   const auto& wrong) {
     RunCounts counts;
     FunctionSink sink([&](const EventView& event) { counts.hear(event); });
+    request.detail = Detail::signs;
     auto traced = request;
-    traced.detail = Detail::signs;
     traced.sink = &sink;
     const auto result = run(traced);
     std::pair<double, double> decisions;
