@@ -29,6 +29,9 @@ grep -qF "\"version\": \"$version\"" "$work/package/package.json" || fail "The p
 groff -man -Tutf8 -ww -z "$work/vidno.1" 2>"$work/warnings"
 [[ ! -s $work/warnings ]] || fail "groff warns: $(<"$work/warnings")"
 
+# Debian 12's npm cannot read such overrides; that of most developers can.
+! grep -qF '"npm:' viewer_web/package.json || fail "viewer_web/package.json overrides a dependency by another package"
+
 # What ./dev release says of a clone that is no release.
 if git rev-parse --git-dir >/dev/null 2>&1; then
     git clone -q . "$work/clone"
