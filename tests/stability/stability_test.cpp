@@ -508,8 +508,9 @@ TEST_CASE("A witness meets the condition on its scene: the one of all, if it doe
         const auto* surface = std::get_if<Surface>(&scene);
         return surface ? surface->curves->curves.size() : std::get<AdmittedScene>(scene)->polygons.size();
     };
-    for (const auto& [family, method] :
-         {Failing{"neighbours", "zbuffer"}, Failing{"horizon-ties", "floating-horizon"}}) {
+    for (const Failing& failing : {Failing{"neighbours", "zbuffer"}, Failing{"horizon-ties", "floating-horizon"}}) {
+        const auto& family = failing.family;
+        const auto& method = failing.method;
         CAPTURE(family);
         const Campaign campaign{"1.0.0", 1, 60, {family}, {"float"}, {method}};
         const auto parts_of_witness = [&](const Where& where) -> std::optional<std::size_t> {
