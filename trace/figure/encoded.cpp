@@ -15,7 +15,7 @@ Format format_of(const std::string& output) {
 std::string encoded(const Drawing& drawing, const About& about, const std::string& output, int dots_an_inch) {
     const Format format = format_of(output);
     if (format == Format::tikz) return tikz_of(drawing, about);
-    const std::string svg = svg_of(drawing, about);
+    std::string svg = svg_of(drawing, about);
     switch (format) {
         case Format::pdf: return pdf_of({svg}, about);
         case Format::png: return png_of(svg, dots_an_inch);

@@ -53,7 +53,7 @@ SurfaceView read_view(const JsonNode& node) {
 }
 
 HeightFunction read_expression(const JsonNode& node) {
-    const std::string formula(node.text());
+    const std::string& formula = node.text();
     try {
         return height_function(formula);
     } catch (const Refused& refused) {
