@@ -24,8 +24,8 @@ private:
     std::mt19937 random_;
 };
 
-/// Random curves without the points of some samples: curves with gaps at their ends and within, of one piece, several or
-/// none.
+/// Random curves without the points of some samples: curves with gaps at their ends and within, of one piece, several
+/// or none.
 AdmittedCurves with_gaps(CurveScene scene, RandomCurves& random);
 
 /// Moves each height by up to two ulps, so coincidences become near misses.

@@ -29,8 +29,8 @@ struct ChartPanel {
     std::vector<ChartMark> marks{};
 };
 
-/// The runs without a fault of the corrected text under float, double, filtered and exact: those of the course's methods
-/// without a knob, and the cheapest right one of the others. The axes are given by index.
+/// The runs without a fault of the corrected text under float, double, filtered and exact: those of the course's
+/// methods without a knob, and the cheapest right one of the others. The axes are given by index.
 ChartPanel panel_of(const SceneChart& scene, std::size_t cost, std::size_t error, Language language);
 /// Under these kernels: the samples of the file, one on each column, and the cheapest right run with fewer, by each
 /// knob.
