@@ -45,9 +45,7 @@ struct Witness {
           kernel(*kernel_named(entry["fails"]["kernel"].get<std::string>())) {}
 
     bool of_curves() const { return method == floating_horizon_method; }
-    Method method_of_polygons() const {
-        return Method(std::find(method_names.begin(), method_names.end(), method) - method_names.begin());
-    }
+    Method method_of_polygons() const { return method_named(method); }
     bool runs(Edition edition) const {
         return of_curves() ? kernel.choice->runs_floating_horizon(edition)
                            : kernel.choice->runs(method_of_polygons(), edition);

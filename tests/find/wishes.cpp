@@ -23,14 +23,6 @@ std::string_view method_of(const Condition& condition, const std::string& name) 
     return name.empty() ? method_for(condition) : std::string_view(name);
 }
 
-/// Whether a run of what was found meets the condition in exact arithmetic.
-bool is_met(const Condition& condition, const AnyScene& found, std::string_view method) {
-    const NamedKernel exact = kernel_of(KernelKind::exact);
-    const auto* surface = std::get_if<Surface>(&found);
-    return condition.is_met(surface ? measured(condition, surface->curves, exact)
-                                    : measured(condition, std::get<AdmittedScene>(found), method_named(method), exact));
-}
-
 SceneSize size_of(const AnyScene& found) {
     const auto* surface = std::get_if<Surface>(&found);
     return surface ? SceneSize(*surface->curves) : SceneSize(*std::get<AdmittedScene>(found));
@@ -41,7 +33,8 @@ bool is_granted(const std::string& text, const std::string& method_name, double 
     const Condition condition(text);
     const std::string_view method = method_of(condition, method_name);
     const SearchReport report = search({.condition = condition, .method = method, .seconds = seconds});
-    const bool granted = report.found && is_met(condition, *report.found, method);
+    const NamedKernel exact = kernel_of(KernelKind::exact);
+    const bool granted = report.found && condition.is_met(measured(condition, *report.found, method, exact));
     std::cout << (granted ? "found     " : "not found ") << text << "  (" << report.scenes << " scenes)\n";
     return granted;
 }

@@ -27,9 +27,7 @@ struct Enough {};
 
 using HearStep = std::function<void(std::uint64_t step, const EventView& event)>;
 
-Method method_of(const NamedRun& run) {
-    return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
-}
+Method method_of(const NamedRun& run) { return method_named(run.method); }
 
 /// Passes each step of a run to `hear`, up to the end or until it has enough.
 void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, const Judge* judge = nullptr) {

@@ -1,6 +1,7 @@
 /// Method: what each algorithm does, which scenes it takes, and what it paints.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -125,6 +126,11 @@ inline constexpr MethodChoice floating_horizon_choice{
     .procedure = Procedure::floating_horizon,
     .rule = {"curves with samples on whole columns, the nearest first",
              "a point is visible unless it is strictly between the horizons of the curves before it"}};
+
+/// The method for polygons of this name, which must be one of method_names.
+constexpr Method method_named(std::string_view name) {
+    return Method(std::find(method_names.begin(), method_names.end(), name) - method_names.begin());
+}
 
 constexpr const MethodChoice& choice_of(Method method) { return method_choices[std::size_t(method)]; }
 

@@ -148,7 +148,7 @@ void tell(const CheckOptions& options, const DecisionReport& report, FindingList
 }
 
 int check_header(const CheckOptions& options, TraceHeader run) {
-    if (options.method) run.method = Method(place_in(method_names, *options.method));
+    if (options.method) run.method = method_named(*options.method);
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_run(kernel, run.method, run.edition);
     const AdmittedScene given = exact_scene::admit(std::move(run.scene));

@@ -102,9 +102,8 @@ void say_not_found(const Condition& condition, std::string_view method, const Se
     std::cerr << '\n';
 }
 
-/// What is written, in the exact run's values; how large it is, in words.
+/// What is written, and how large it is, in words.
 struct Found {
-    std::vector<double> values;
     std::string json, size;
 };
 
@@ -112,19 +111,18 @@ std::string size_of(const Area& area) {
     return ", " + std::to_string(area.width) + " x " + std::to_string(area.height) + " pixels";
 }
 
-Found found_from(const Condition& condition, std::string_view method, const AdmittedScene& scene) {
+Found found_from(const std::string& name, const AdmittedScene& scene) {
     Scene named = scene;
-    named.name = condition.text();
-    return {measured(condition, scene, method_named(method), kernel_of(KernelKind::exact)), scene_json(named),
-            counted(named.polygons.size(), "polygon", "polygons") + ", " +
-                counted(vertices_of(named), "vertex", "vertices") + size_of(named.area)};
+    named.name = name;
+    return {scene_json(named), counted(named.polygons.size(), "polygon", "polygons") + ", " +
+                                   counted(vertices_of(named), "vertex", "vertices") + size_of(named.area)};
 }
 
-Found found_from(const Condition& condition, std::string_view, const Surface& surface) {
+Found found_from(const std::string& name, const Surface& surface) {
     const AdmittedCurves& curves = surface.curves;
-    return {measured(condition, curves, kernel_of(KernelKind::exact)), surface_json({condition.text(), curves}),
-            counted(curves->curves.size(), "curve", "curves") + ", " +
-                counted(sample_count(curves), "sample", "samples") + size_of(curves->area)};
+    return {surface_json({name, curves}), counted(curves->curves.size(), "curve", "curves") + ", " +
+                                              counted(sample_count(curves), "sample", "samples") +
+                                              size_of(curves->area)};
 }
 
 int find(const FindOptions& options) {
@@ -144,16 +142,17 @@ int find(const FindOptions& options) {
         say_not_found(condition, method, report);
         return 1;
     }
-    const Found found =
-        std::visit([&](const auto& scene) { return found_from(condition, method, scene); }, *report.found);
-    if (!condition.is_met(found.values)) {
-        std::cerr << "the run in exact arithmetic does not meet the condition: " << values_of(condition, found.values)
+    const auto values = measured(condition, *report.found, method, kernel_of(KernelKind::exact));
+    if (!condition.is_met(values)) {
+        std::cerr << "the run in exact arithmetic does not meet the condition: " << values_of(condition, values)
                   << '\n';
         return 1;
     }
+    const Found found =
+        std::visit([&](const auto& scene) { return found_from(options.condition, scene); }, *report.found);
     file.write(found.json + '\n');
     file.commit();
-    std::cerr << values_of(condition, found.values) << '\n'
+    std::cerr << values_of(condition, values) << '\n'
               << "--method " << method << ": " << found.size << "; " << counted(report.scenes, "scene", "scenes")
               << " tried\n";
     return 0;

@@ -34,7 +34,7 @@ std::string number_of(std::size_t place, std::size_t count) {
 int homework(const HomeworkOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + " already exists");
-    const auto method = Method(place_in(method_names, options.method));
+    const auto method = method_named(options.method);
     const auto [scene, note] = by_hand(scene_from(options.scene), method, options.scene);
     if (!note.empty()) std::cerr << options.scene << ": " << note << '\n';
     Progress progress("exercises");

@@ -43,7 +43,7 @@ void expect_runs(const NamedKernel& kernel, const std::vector<std::string>& meth
         if (method == floating_horizon_method) {
             expect_floating_horizon_run(kernel, Edition::corrected);
         } else {
-            expect_run(kernel, Method(place_in(method_names, method)), Edition::corrected);
+            expect_run(kernel, method_named(method), Edition::corrected);
         }
     }
 }
@@ -197,12 +197,7 @@ Where meets(const std::string& text, const std::string& method) {
     if (text.empty()) return {};
     const auto condition = std::make_shared<const Condition>(text);
     const NamedKernel right = kernel_of(KernelKind::filtered);
-    return [=](const AnyScene& scene) {
-        if (const auto* surface = std::get_if<Surface>(&scene)) {
-            return condition->is_met(measured(*condition, surface->curves, right));
-        }
-        return condition->is_met(measured(*condition, std::get<AdmittedScene>(scene), method_named(method), right));
-    };
+    return [=](const AnyScene& scene) { return condition->is_met(measured(*condition, scene, method, right)); };
 }
 
 /// Refuses what is no condition, or does not suit a method.
@@ -279,7 +274,7 @@ NamedTrial trial_from(const std::string& text) {
 std::size_t shown_of(const std::vector<AdmittedScene>& series, const Campaign& campaign, const Tallies& tallies) {
     for (std::size_t i = 0; i < tallies.size(); ++i) {
         if (tallies[i].wrong_pixels == 0) continue;
-        const Method method = Method(place_in(method_names, campaign.methods[i % campaign.methods.size()]));
+        const Method method = method_named(campaign.methods[i % campaign.methods.size()]);
         const NamedKernel kernel = *kernel_named(campaign.kernels[i / campaign.methods.size()]);
         for (std::size_t scene = 0; scene < series.size(); ++scene) {
             const Picture painted = run({method, kernel, Edition::corrected, series[scene]});

@@ -206,7 +206,6 @@ public:
         }
     }
 
-    const std::string& text() const { return given_; }
     const std::vector<Name>& names() const { return spelled_.names; }
     const std::vector<std::string>& texts() const { return texts_; }
     void set(const std::vector<double>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
@@ -351,7 +350,6 @@ Condition::~Condition() = default;
 Condition::Condition(Condition&&) noexcept = default;
 Condition& Condition::operator=(Condition&&) noexcept = default;
 
-const std::string& Condition::text() const { return expression_->text(); }
 const std::vector<Name>& Condition::names() const { return expression_->names(); }
 const std::vector<std::string>& Condition::parts() const { return expression_->texts(); }
 

@@ -109,8 +109,6 @@ public:
     Condition(Condition&&) noexcept;
     Condition& operator=(Condition&&) noexcept;
 
-    /// As it was given.
-    const std::string& text() const;
     /// The names in it, each once.
     const std::vector<Name>& names() const;
     /// What && joins, as it is written.

@@ -203,10 +203,6 @@ double of_scene(const Name& name, const CurveScene& scene) {
     return SceneSize(scene).coordinate();
 }
 
-Method method_named(std::string_view name) {
-    return Method(std::find(method_names.begin(), method_names.end(), name) - method_names.begin());
-}
-
 void expect_suits(const Condition& condition, std::string_view method) {
     for (const Name& name : condition.names()) {
         const std::string why = unsuitable(name, method);
@@ -243,6 +239,12 @@ std::vector<double> measured(const Condition& condition, const AdmittedCurves& s
         condition, FloatingHorizonRequest{kernel, Edition::corrected, scene}, Procedure::floating_horizon,
         [](const std::string&, const DrawnLines&) { return 0.; },  // expect_suits refuses it
         [&](const NamedKernel& by, const DrawnLines& lines) { return wrong_columns(by, scene, lines); });
+}
+
+std::vector<double> measured(const Condition& condition, const AnyScene& scene, std::string_view method,
+                             const NamedKernel& kernel) {
+    if (const auto* surface = std::get_if<Surface>(&scene)) return measured(condition, surface->curves, kernel);
+    return measured(condition, std::get<AdmittedScene>(scene), method_named(method), kernel);
 }
 
 std::string text_of(Line line) {

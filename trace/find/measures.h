@@ -46,9 +46,6 @@ double of_scene(const Name& name, const CurveScene& scene);
 
 // Methods have the names of the command line: those of Method, and `floating-horizon` for curves.
 
-/// The method for polygons of this name, which must be one.
-Method method_named(std::string_view name);
-
 /// Throws Refused if a name does not suit a run of the method: it has no such line or quantity, or the kernel of
 /// `wrong` does not run it.
 void expect_suits(const Condition& condition, std::string_view method);
@@ -62,6 +59,9 @@ std::vector<double> measured(const Condition& condition, const AdmittedScene& sc
                              const NamedKernel& kernel);
 /// Those of curves, which the floating horizon draws.
 std::vector<double> measured(const Condition& condition, const AdmittedCurves& scene, const NamedKernel& kernel);
+/// Those of either; the method is for curves if the scene is.
+std::vector<double> measured(const Condition& condition, const AnyScene& scene, std::string_view method,
+                             const NamedKernel& kernel);
 
 /// The text of a line in a listing, in English.
 std::string text_of(Line line);

@@ -19,9 +19,7 @@ const LessonRun& Lesson::run(const std::string& name) const {
     return *std::find_if(runs.begin(), runs.end(), [&](const LessonRun& each) { return each.name == name; });
 }
 
-Method method_of(const LessonRun& run) {
-    return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
-}
+Method method_of(const LessonRun& run) { return method_named(run.method); }
 
 namespace {
 

@@ -104,10 +104,10 @@ std::optional<std::string> witness(const Campaign& campaign, const Family& famil
             if (!found) continue;
             return failure_of(surface_json(surface(found->first)), family, method, kernel, "column", found->second);
         }
-        const auto tried = Method(std::find(method_names.begin(), method_names.end(), method) - method_names.begin());
         const auto same = [](const AdmittedScene& each) { return each; };
-        const auto found = smallest(std::get<std::vector<AdmittedScene>>(scenes).front(), same,
-                                    [&](const AdmittedScene& each) { return wrong_pixel(each, tried, named); });
+        const auto found =
+            smallest(std::get<std::vector<AdmittedScene>>(scenes).front(), same,
+                     [&](const AdmittedScene& each) { return wrong_pixel(each, method_named(method), named); });
         if (found) return failure_of(scene_json(found->first), family, method, kernel, "pixel", found->second);
     }
     return std::nullopt;

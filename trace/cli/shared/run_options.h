@@ -46,9 +46,7 @@ std::size_t place_in(const auto& names, const std::string& name) {
 }
 
 /// The method for polygons.
-inline Method method_of(const RunOptions& options) {
-    return Method(place_in(method_names, options.method.value_or("warnock")));
-}
+inline Method method_of(const RunOptions& options) { return method_named(options.method.value_or("warnock")); }
 inline Edition edition_of(const RunOptions& options) { return *edition_named(options.edition_name()); }
 inline Detail detail_of(const RunOptions& options) { return Detail(place_in(detail_names, options.detail)); }
 
