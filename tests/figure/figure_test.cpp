@@ -538,7 +538,7 @@ TEST_CASE("an id stands where there is no other polygon") {
 
 TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
     const TraceHeader header = header_of(near_before_far());
-    PixelHistory history({9, 9}, Language::english);
+    PixelHistory history({9, 9}, header, Language::english);
     Moment moment(header);
     for (const auto& event : a_division()) {
         moment.take(event);
@@ -549,13 +549,13 @@ TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
         moment.take(event);
         history.take(moment);
     }
+    // The whole window and its lower right quarter: pushed at 1 and 4, taken at 2 and 5. The second Fill is here.
     const auto& entries = history.entries();
-    REQUIRE(entries.size() == 3);
-    CHECK(entries[0].step == 2);
-    CHECK(entries[1].step == 5);
-    CHECK(entries[1].note == "(8, 8) 8 × 8");
-    CHECK(entries[2].step == 7);
-    CHECK(entries[2].painted);
+    std::vector<std::uint64_t> steps;
+    for (const auto& entry : entries) steps.push_back(entry.step);
+    REQUIRE(steps == std::vector<std::uint64_t>{1, 2, 4, 5, 7});
+    CHECK(entries[3].text == "The window (8, 8) 8 × 8 comes off the stack with A, B.");
+    CHECK(entries[4].outcome == say::Outcome::paint);
 }
 
 TEST_CASE("the notation of numbers") {

@@ -6,6 +6,7 @@
 #include "cli/shared/read_numbers.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/trace_files.h"
+#include "say/decision.h"
 #include "say/pixel_history.h"
 #include "say/sentence.h"
 
@@ -19,6 +20,7 @@ struct SayOptions {
     std::string trace, language = "en";
     std::optional<Step> step;
     std::optional<std::string> steps, pixel;
+    bool calculation = false;
 };
 
 struct StepsSaid {
@@ -42,22 +44,49 @@ StepsSaid chosen_steps(const SayOptions& options) {
     return options.steps ? steps_from(*options.steps) : StepsSaid{};
 }
 
+void print(const say::SaidDecision& decision) {
+    std::cout << "    " << decision.title << '\n';
+    for (const auto& [name, number] : decision.numbers) std::cout << "    " << name << " = " << number << '\n';
+    for (const auto& [name, answer] : decision.answers) std::cout << "    " << name << ": " << answer << '\n';
+    std::cout << "    " << decision.judgement << '\n';
+    for (const auto& [title, lines] : decision.calculations) {
+        std::cout << "    " << title << '\n';
+        for (const auto& line : lines) std::cout << "        " << line << '\n';
+    }
+}
+
 int say_steps(const SayOptions& options, auto& reader) {
     const auto language = Language(place_in(language_codes, options.language));
     const auto [first, last] = chosen_steps(options);
     auto state = state_of(reader);
+    const AnyHeader header = reader.header();
+    say::DecidingStep around;
     Progress progress("steps");
-    const auto take = [&, first = first](const EventView& event) {
+    const auto print_decision = [&] {
+        const auto said = say::decision(around, header, language);
+        if (said) print(*said);
+    };
+    const auto take = [&, first = first, last = last](const EventView& event) {
         state.apply(event);
         progress.show(state.step());
-        if (state.step() < first) return;
+        if (options.calculation) {
+            around = {std::move(around.event), std::move(around.next), event.copy()};
+            if (state.step() > first) print_decision();
+        }
+        if (state.step() < first || (last && state.step() > *last)) return;
         progress.clear();
         std::cout << state.step() << ": " << say::sentence(event, state, language).whole() << '\n';
     };
-    while (state.step() != last && take_next(reader, take)) {
+    // The event after the last one may be the verdict on its decision.
+    const auto beyond = last ? std::optional(*last + options.calculation) : std::nullopt;
+    while (state.step() != beyond && take_next(reader, take)) {
     }
     progress.clear();
     if (state.step() < last.value_or(0)) refuse_step(options.trace, *last, state.step());
+    if (options.calculation && state.step() != beyond) {
+        around = {std::move(around.event), std::move(around.next), std::nullopt};
+        print_decision();
+    }
     Losses losses;
     losses.add(reader);
     return losses.report();
@@ -127,6 +156,10 @@ void add_say(CLI::App& program, int& status) {
                     "X,Y: the steps that concern this pixel, or, of curves, the column X; and why it has its colour")
         ->excludes(step)
         ->excludes(steps);
+    command
+        .add_flag("--calculation", options->calculation,
+                  "Also each decision: its numbers, its answer, the exact one, and the calculation of a checked trace")
+        ->excludes("--pixel");
     command.add_option("--language", options->language, "The language")
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();

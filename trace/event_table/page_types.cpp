@@ -6,10 +6,10 @@
 #include "event_table/event_table.h"
 #include "event_table/joined_texts.h"
 #include "format/decision_words.h"
-#include "format/fault_reason.h"
 #include "format/field_writer.h"
 #include "replay/floating_horizon_state.h"
 #include "replay/state.h"
+#include "say/decision.h"
 
 namespace vidno {
 
@@ -192,16 +192,6 @@ std::string words_of_decisions() {
            words_by_name("causeWords", cause_names, cause_words);
 }
 
-std::string words_of_faults() {
-    std::string text =
-        "\n/** The reasons for faults, as traces have them, in Russian. */\n"
-        "export const faultReasons: Readonly<Record<string, string>> = {\n";
-    for (const Bilingual& reason : fault_reasons) {
-        text += "  " + in_quotes(reason.english) + ": " + in_quotes(reason.russian) + ",\n";
-    }
-    return text + "};\n";
-}
-
 std::string events_of_methods(const std::string& listings_text) {
     std::string text = "\n/** The events in the runs of each method. */\nexport const eventsOf = {\n";
     const auto listings = nlohmann::ordered_json::parse(listings_text);
@@ -232,7 +222,7 @@ std::string page_types(const std::string& listings) {
         text += "export const " + own + "s = [" + joined_texts(words, ", ", in_quotes) + "] as const;\n";
         text += "export type " + PageType<int>::capital(own) + " = (typeof " + own + "s)[number];\n";
     }
-    text += words_of_decisions() + words_of_faults();
+    text += words_of_decisions();
     text += "\n/** The level from which the calls of a procedure appear. */\nexport const callsFrom = {\n";
     for (const Procedure procedure : called_procedures()) {
         text += "  " + std::string(procedure_names[std::size_t(procedure)]) + ": " +
@@ -252,7 +242,8 @@ std::string page_types(const std::string& listings) {
     return text + interface_of("WarnockValues", WarnockState(header)) +
            interface_of("ZBufferValues", ZBufferState(header)) +
            interface_of("WeilerAthertonValues", WeilerAthertonState(header)) +
-           interface_of("FloatingHorizonValues", FloatingHorizonState::Values{});
+           interface_of("FloatingHorizonValues", FloatingHorizonState::Values{}) +
+           "\n/** The decision of a step in words. */" + interface_of("SaidDecision", say::SaidDecision{});
 }
 
 }  // namespace vidno

@@ -55,49 +55,6 @@ std::string short_number(double value, std::size_t most) {
 
 constexpr std::string_view between_numbers(Language language) { return language == Language::russian ? "; " : ", "; }
 
-/// The texts of the events that a history contains; the others have none.
-struct Note {
-    const Scene& scene;
-    Language language;
-
-    const std::string& name(PolygonPlace polygon) const { return scene.polygons[std::size_t(polygon.index)].id; }
-    std::string number(const Value& value) const { return readable(value, language); }
-    std::string compared(const Value& z, const Value& against, bool nearer) const {
-        return number(z) + (nearer ? " > " : " ≯ ") + number(against);
-    }
-    std::string half_open(int first, int end) const {
-        return "[" + std::to_string(first) + std::string(between_numbers(language)) + std::to_string(end) + ")";
-    }
-
-    std::string operator()(const event::Pop& e) const { return readable(e.window, language); }
-    std::string operator()(const event::Discard& e) const { return "− " + name(e.polygon); }
-    std::string operator()(const event::Nearer& e) const { return name(e.polygon) + ": k = " + std::to_string(e.k); }
-    std::string operator()(const event::Mark& e) const { return name(e.polygon) + ": S = true"; }
-    std::string operator()(const event::Cover& e) const { return name(e.polygon) + ": hasSurround"; }
-    std::string operator()(const event::Uncover& e) const {
-        return name(e.polygon) + (language == Language::russian ? ": не hasSurround" : ": not hasSurround");
-    }
-    std::string operator()(const event::Decide& e) const {
-        return std::string(words_of(language).cases[std::size_t(e.which)]);
-    }
-    std::string operator()(const event::Nearest& e) const { return name(e.polygon) + ": z = " + number(e.z); }
-    std::string operator()(const event::Fill& e) const {
-        return std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
-    }
-    std::string operator()(const event::Draw& e) const { return name(e.polygon); }
-    std::string operator()(const event::Paint& e) const { return name(e.polygon); }
-    std::string operator()(const event::Clear& e) const { return "z = " + number(e.z); }
-    std::string operator()(const event::Columns& e) const { return half_open(e.first, e.end); }
-    std::string operator()(const event::Pixel& e) const { return compared(e.z, e.stored, e.shown); }
-    std::string operator()(const event::Span& e) const {
-        std::string runs;
-        for (const auto& [first, end] : e.runs) runs += (runs.empty() ? "" : " ") + half_open(first, end);
-        return runs.empty() ? "∅" : runs;
-    }
-    std::string operator()(const event::Fault& e) const { return e.reason; }
-    std::string operator()(const auto&) const { return {}; }
-};
-
 }  // namespace
 
 std::string in_full(double value, Language language) { return in_format(shortest(value), language); }
@@ -118,10 +75,6 @@ std::string readable(const Window& window, Language language) {
     const auto number = [&](double value) { return readable(value, language); };
     return pair_of(number(window.x), number(window.y), language) + " " + number(window.width) + " × " +
            number(window.height);
-}
-
-std::string note_of(const EventView& event, const Scene& scene, Language language) {
-    return event.visit(Note{scene, language});
 }
 
 }  // namespace vidno::figures

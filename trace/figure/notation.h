@@ -23,7 +23,4 @@ std::string pair_of(const std::string& x, const std::string& y, Language languag
 /// For example `(8, 0) 8 × 8`.
 std::string readable(const Window& window, Language language);
 
-/// The text of an event beside its line, perhaps empty.
-std::string note_of(const EventView& event, const Scene& scene, Language language);
-
 }  // namespace vidno::figures

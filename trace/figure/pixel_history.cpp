@@ -1,99 +1,61 @@
 #include "pixel_history.h"
 
-#include "format/paints.h"
 #include "notation.h"
+#include "say/sentence.h"
 #include "table.h"
+#include "wrap.h"
 
 namespace vidno::figures {
 
-namespace {
-
-/// The meaning of an event for the pixel.
-struct Meaning {
-    std::optional<bool> answer{};
-    bool painted = false;
-};
-constexpr Meaning fact{}, yes{true}, no{false}, paint{true, true};
-constexpr Meaning test(bool passed) { return passed ? yes : no; }
-
-/// Interprets an event by the pixel's place. In a window or row that does not contain the pixel, only painting concerns
-/// it.
-class Judge {
-public:
-    Judge(Pixel pixel, bool& inside) : pixel_(pixel), inside_(inside) {}
-
-    using Found = std::optional<Meaning>;
-
-    Found operator()(const event::Pop& e) {
-        const auto& [x, y, width, height] = e.window;
-        inside_ = x < pixel_.x + 1 && x + width > pixel_.x && y < pixel_.y + 1 && y + height > pixel_.y;
-        return within(fact);
-    }
-    Found operator()(const event::Discard&) { return within(no); }
-    Found operator()(const event::Nearer& e) { return within(test(e.k > 0)); }
-    Found operator()(const event::Mark&) { return within(yes); }
-    Found operator()(const event::Cover&) { return within(yes); }
-    Found operator()(const event::Uncover&) { return within(fact); }
-    Found operator()(const event::Nearest&) { return within(yes); }
-    Found operator()(const event::Decide&) { return within(fact); }
-    Found operator()(const event::Draw& e) { return covers(e) ? Found(paint) : within(no); }
-    Found operator()(const event::Clear&) { return paint; }
-    Found operator()(const event::ShownLine& e) {
-        inside_ = e.row == pixel_.y;
-        return std::nullopt;
-    }
-    Found operator()(const event::Columns& e) { return within(test(e.first <= pixel_.x && pixel_.x < e.end)); }
-    Found operator()(const event::Pixel& e) {
-        return e.x == pixel_.x && e.y == pixel_.y ? Found(test(e.shown)) : std::nullopt;
-    }
-    Found operator()(const event::Span& e) {
-        if (e.row != pixel_.y) return std::nullopt;
-        return covers(e) ? paint : no;
-    }
-    Found operator()(const event::Fault& e) { return e.x == pixel_.x && e.y == pixel_.y ? Found(no) : std::nullopt; }
-    Found operator()(const auto& e) { return covers(e) ? Found(paint) : std::nullopt; }
-
-private:
-    bool covers(const auto& e) const { return paints(e, pixel_.x, pixel_.y); }
-    Found within(Meaning meaning) const { return inside_ ? Found(meaning) : std::nullopt; }
-
-    Pixel pixel_;
-    bool& inside_;
-};
-
-}  // namespace
+PixelHistory::PixelHistory(Pixel pixel, const TraceHeader& header, Language language)
+    : pixel_(pixel), language_(language), watch_(pixel, header), goes_wrong_(pixel, header) {}
 
 void PixelHistory::take(const Moment& moment) {
     const EventView& event = *moment.event();
-    const auto found = event.visit(Judge(pixel_, inside_));
-    if (!found) return;
+    const State& state = moment.state();
+    goes_wrong_.see(event, state);
+    const auto outcome = watch_.see(event, state.step());
+    if (!outcome) return;
     const Line at = event.visit([](const auto& e) { return e.at; });
-    std::string note = note_of(event, moment.scene(), language_);
-    const auto polygon = moment.state().z_buffer().polygon();
-    const bool of_line = event.get_if<event::Span>() || event.get_if<event::Pixel>() || event.get_if<event::Columns>();
-    if (of_line && polygon) note = moment.scene().polygons[std::size_t(polygon->index)].id + ": " + note;
-    entries_.push_back({moment.state().step(), at, std::move(note), found->answer, found->painted});
+    const say::Statement said = say::sentence_for_pixel(event, *outcome, state, language_);
+    entries_.push_back({state.step(), at, said.whole(), *outcome});
+    if (*outcome == say::Outcome::paint) {
+        why_ = say::why(event, state, pixel_, goes_wrong_.step(state), language_).whole();
+    } else {
+        goes_wrong_.hear(state.step(), said);
+    }
 }
 
 Drawing PixelHistory::part(const Style& style, double width) const {
-    constexpr std::size_t most = 30;
+    constexpr std::size_t most = 30;  // lines
+    constexpr double share = 0.58;    // of the width for what was found
     const auto& words = words_of(style.language);
+    const std::string_view meanings[]{words.yes, words.no, words.painted, words.wrong, ""};
     Table table{.title = std::string(words.pixel) + " " +
                          pair_of(std::to_string(pixel_.x), std::to_string(pixel_.y), style.language),
-                .columns = {{std::string(words.step), 0.13, Anchor::end},
-                            {std::string(words.line), 0.17},
-                            {std::string(words.what), 0.46},
-                            {std::string(words.answer), 0.24}}};
-    const std::size_t first = entries_.size() > most ? entries_.size() - most : 0;
-    if (first > 0) table.note = std::string(words.earlier) + " " + std::to_string(first);
-    for (std::size_t i = first; i < entries_.size(); ++i) {
-        const auto& [step, at, note, answer, painted] = entries_[i];
-        const std::string_view meaning = painted ? words.painted : !answer ? "" : *answer ? words.yes : words.no;
-        if (painted) table.current = table.rows.size();  // the last one counts
-        table.rows.push_back(
-            {{std::to_string(step)}, {std::string(line_names[std::size_t(at)])}, {note}, {std::string(meaning)}});
+                .columns = {{std::string(words.step), 0.09, Anchor::end},
+                            {std::string(words.line), 0.12},
+                            {std::string(words.what), share},
+                            {std::string(words.answer), 0.21}}};
+    const double room = (share * width - 4) / style.letters;
+    std::size_t first = entries_.size();
+    for (; first > 0; --first) {
+        const auto& [step, at, text, outcome] = entries_[first - 1];
+        const auto lines = wrapped(text, text_size, room, room);
+        if (table.rows.size() + lines.size() > most && !table.rows.empty()) break;
+        std::vector<std::vector<Table::Cell>> rows;
+        for (const auto& line : lines) rows.push_back({{}, {}, {line}, {}});
+        rows[0][0].text = std::to_string(step);
+        rows[0][1].text = line_names[std::size_t(at)];
+        rows[0][3].text = meanings[std::size_t(outcome)];
+        if (table.current) *table.current += rows.size();
+        // The last one that painted it counts.
+        if (outcome == say::Outcome::paint && !table.current) table.current = 0;
+        table.rows.insert(table.rows.begin(), rows.begin(), rows.end());
     }
+    if (first > 0) table.note = std::string(words.earlier) + " " + std::to_string(first);
     if (entries_.empty()) table.below.emplace_back(words.empty);
+    if (!why_.empty()) table.below.push_back(why_);
     return drawn(table, width, style.letters);
 }
 

@@ -1,14 +1,16 @@
-/// PixelHistory: the events that concerned a pixel.
+/// PixelHistory: the events that concerned a pixel, and why it has its colour, in the words of the page.
 #pragma once
 
 #include "drawing.h"
 #include "parts.h"
+#include "say/pixel_history.h"
 
 namespace vidno::figures {
 
 class PixelHistory {
 public:
-    PixelHistory(Pixel pixel, Language language) : pixel_(pixel), language_(language) {}
+    /// The header must outlive it.
+    PixelHistory(Pixel pixel, const TraceHeader& header, Language language);
 
     Pixel pixel() const { return pixel_; }
 
@@ -21,16 +23,17 @@ public:
     struct Entry {
         std::uint64_t step;
         Line at;
-        std::string note;
-        std::optional<bool> answer;  // none: a fact, not a test
-        bool painted = false;
+        std::string text;
+        say::Outcome outcome;
     };
     const std::vector<Entry>& entries() const { return entries_; }
 
 private:
     Pixel pixel_;
     Language language_;
-    bool inside_ = false;  // the current window, or the row
+    say::PixelWatch watch_;
+    say::GoesWrong goes_wrong_;
+    std::string why_;  // it has its colour
     std::vector<Entry> entries_;
 };
 

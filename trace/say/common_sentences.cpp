@@ -71,19 +71,6 @@ constexpr Bilingual purpose_of(Procedure procedure) {
     return {};
 }
 
-struct AnswerWords {
-    const Words& words;
-
-    std::string operator()(bool yes) const { return yes ? words.say("yes", "да") : words.say("no", "нет"); }
-    std::string operator()(int number) const { return words.word(number); }
-    std::string operator()(const std::pair<int, int>& range) const {
-        const auto [first, end] = range;
-        if (first + 1 == end) return std::to_string(first);
-        if (first >= end) return words.say("none", "пусто");
-        return words.say("{} to {}", "от {} до {}", std::to_string(first), std::to_string(end - 1));
-    }
-};
-
 }  // namespace
 
 std::string common_sentence(const event::Call& e, const Words& words) {
@@ -99,6 +86,23 @@ std::string common_sentence(const event::Disagree& e, const Words& words) {
                      std::visit(answer, e.exact), words.in(cause_words[std::size_t(e.cause)]));
 }
 
+std::string common_note(const event::Disagree& e, const Words& words) {
+    const auto answer = [&](const Answer& of) {
+        return std::visit(
+            [&]<class A>(const A& it) {
+                if constexpr (std::same_as<A, bool>) {
+                    return text_of(it);
+                } else if constexpr (std::same_as<A, int>) {
+                    return words.word(it);
+                } else {
+                    return words.half_open(it.first, it.second);
+                }
+            },
+            of);
+    };
+    return answer(e.taken) + " ≠ " + answer(e.exact);
+}
+
 std::string common_sentence(const event::Fault& e, const Words& words) {
     const auto reason = reason_in(words.language(), e.reason);
     if (!e.x || !e.y) {
@@ -110,14 +114,24 @@ std::string common_sentence(const event::Fault& e, const Words& words) {
                      reason);
 }
 
+std::string common_note(const event::Fault& e, const Words& words) {
+    return std::string(reason_in(words.language(), e.reason));
+}
+
 std::string common_sentence(const event::Plane& e, const PolygonWords& words) {
     return words.say("The plane of {}: (a, b, c, d) = ({}).", "Плоскость {}: (a; b; c; d) = ({}).", e.polygon,
                      words.list({e.plane.begin(), e.plane.end()}));
+}
+
+std::string common_note(const event::Plane& e, const PolygonWords& words) {
+    return "(" + words.list({e.plane.begin(), e.plane.end()}) + ")";
 }
 
 std::string common_sentence(const event::Depth& e, const PolygonWords& words) {
     return words.say("At the point {} the plane of {} has depth {}.", "В точке {} глубина плоскости {} равна {}.",
                      e.point, e.polygon, e.z);
 }
+
+std::string common_note(const event::Depth& e, const PolygonWords& words) { return words.word(e.z); }
 
 }  // namespace vidno::say

@@ -1,4 +1,4 @@
-/// The sentences of the floating horizon.
+/// The sentences and notes of the floating horizon.
 #include "say/tables.h"
 
 namespace vidno::say {
@@ -99,7 +99,23 @@ struct CurveSentences : CurveWords {
                    e.x, e.y);
     }
 
-    // Parts of these sentences
+    // Notes
+
+    Said note(const event::Horizons& e) const { return heights({e.upper, e.lower}); }
+    Said note(const event::Curve& e) const { return word(e.curve); }
+    Said note(const event::SideEdge& e) const { return word(e.sample); }
+    Said note(const event::Visibility& e) const { return (e.at == FH4 ? "Pflag = " : "Tflag = ") + word(int(e.flag)); }
+    Said note(const event::Intersection& e) const { return word(e.point); }
+    Said note(const event::DrawLine& e) const { return word(e.from) + " → " + word(e.to); }
+    Said note(const event::Horizon& e) const {
+        return e.last < e.first ? "∅" : "[" + list({double(e.first), double(e.last)}) + "]";
+    }
+    Said note(const event::Height& e) const { return heights({e.y, e.upper, e.lower}); }
+    Said note(const event::Raise& e) const { return becomes(e); }
+    Said note(const event::Lower& e) const { return becomes(e); }
+    Said note(const event::Step& e) const { return word(e.x) + ": " + text_of(e.changes); }
+
+    // Parts of these
 
     Bilingual flag_of(VisibilityFlag flag) const {
         switch (flag) {
@@ -142,6 +158,12 @@ struct CurveSentences : CurveWords {
         const auto [first, last] = e.from_columns;
         return first == last && first == e.to_columns.second;
     }
+    Said heights(const std::vector<std::optional<Value>>& all) const {
+        std::vector<Said> texts;
+        for (const auto& each : all) texts.push_back(each ? word(*each) : "∅");
+        return joined(texts, between_numbers());
+    }
+    Said becomes(const auto& e) const { return "[" + word(e.x) + "] := " + word(e.y); }
     Said over(const event::Horizon& e) const {
         if (e.first == e.last) return say("Column {}", "Столбец {}", e.first);
         return say("Columns {0} to {1}", "Столбцы {2}", e.first, e.last, range(e.first, e.last));
@@ -153,5 +175,11 @@ struct CurveSentences : CurveWords {
 std::string floating_horizon_sentence(const EventView& event, const CurveWords& words) {
     return sentence_in<FloatingHorizonState::Events>(CurveSentences{words}, event);
 }
+
+std::string floating_horizon_note(const EventView& event, const CurveWords& words) {
+    return note_in<FloatingHorizonState::Events>(CurveSentences{words}, event);
+}
+
+const Noted noted_by_floating_horizon = noted_in<FloatingHorizonState::Events, CurveSentences>(AllEvents{});
 
 }  // namespace vidno::say

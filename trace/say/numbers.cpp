@@ -212,6 +212,12 @@ std::string in_format(std::string text, Language language) {
 
 std::string short_number(const Value& value, Language language) { return in_format(plain(value), language); }
 
+std::string all_digits(const Value& value, Language language) {
+    std::string text = whole(value);
+    if (text.ends_with("/1")) text.resize(text.size() - 2);
+    return in_format(std::move(text), language);
+}
+
 std::string in_full(const Value& value, Language language) {
     const std::string text = whole(value);
     return text.size() > most_in_sentence ? short_number(value, language) : in_format(text, language);

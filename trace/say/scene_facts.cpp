@@ -8,6 +8,7 @@
 
 #include "scene/rational_curves.h"
 #include "scene/rational_polygon.h"
+#include "scene/rational_text.h"
 #include "vidno/kernels/machine.h"
 
 namespace vidno {
@@ -16,19 +17,9 @@ namespace {
 
 using PointInPlane = Point<Rational>;
 
-Rational from_fraction(const std::string& text) {
-    using Fractions = CGAL::Fraction_traits<Rational>;
-    const auto slash = text.find('/');
-    const Fractions::Numerator_type p(text.substr(0, slash));
-    const Fractions::Denominator_type q(slash == text.npos ? "1" : text.substr(slash + 1));
-    return Fractions::Compose()(p, q);
-}
-
 std::optional<Rational> in_rationals(const Value& value) {
     if (!value.fraction) return std::isfinite(value.number) ? std::optional<Rational>(value.number) : std::nullopt;
-    const std::string& text = *value.fraction;
-    const bool is_fraction = text.find_first_not_of("-0123456789/") == text.npos && !text.ends_with("/0");
-    return is_fraction ? std::optional(from_fraction(text)) : std::nullopt;
+    return rational_in(*value.fraction);
 }
 
 std::optional<PointInPlane> in_rationals(const ValuePoint& point) {

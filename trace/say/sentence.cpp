@@ -28,6 +28,15 @@ std::string of_algorithm(const EventView& event, const CurveWords& words) {
     return floating_horizon_sentence(event, words);
 }
 
+std::string note_of_algorithm(const EventView& event, const PolygonWords& words) {
+    switch (algorithm_of(words.header().method)) {
+        case Algorithm::warnock: return warnock_note(event, words);
+        case Algorithm::z_buffer: return z_buffer_note(event, words);
+        case Algorithm::weiler_atherton: return weiler_atherton_note(event, words);
+    }
+    return {};
+}
+
 Statement sentence_with(const EventView& event, const auto& words) {
     auto exact = exactly(event, words);
     if (exact) exact->text = without_doubled_signs(std::move(exact->text));
@@ -42,6 +51,19 @@ Statement sentence(const EventView& event, const State& after, Language language
 
 Statement sentence(const EventView& event, const FloatingHorizonState& after, Language language) {
     return sentence_with(event, CurveWords(after, language));
+}
+
+std::string note(const EventView& event, const State& run, Language language) {
+    return without_doubled_signs(note_of_algorithm(event, PolygonWords(run, language)));
+}
+
+std::string note(const EventView& event, const FloatingHorizonState& run, Language language) {
+    return without_doubled_signs(floating_horizon_note(event, CurveWords(run, language)));
+}
+
+bool has_note(std::size_t event) {
+    return noted_by_warnock[event] || noted_by_z_buffer[event] || noted_by_weiler_atherton[event] ||
+           noted_by_floating_horizon[event];
 }
 
 }  // namespace vidno::say

@@ -1,4 +1,4 @@
-/// The sentences of Warnock's algorithm and its variants.
+/// The sentences and notes of Warnock's algorithm and its variants.
 #include "say/tables.h"
 #include "say/warnock_words.h"
 
@@ -389,7 +389,60 @@ struct WarnockSentences : WarnockWords {
                    "{} виден с ребра; глубина его ребра {} в этой точке равна {}.", e.polygon, e.edge, e.z);
     }
 
-    // Parts of these sentences
+    // Notes
+
+    Said note(const event::Push& e) const { return word(e.window); }
+    Said note(const event::Skip& e) const { return word(e.window); }
+    Said note(const event::Pop& e) const { return word(e.window); }
+    Said note(const event::Decide&) const { return text_of(true); }
+    Said note(const event::Fill& e) const {
+        return std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
+    }
+    Said note(const event::Corners& e) const { return "z = " + word(e.z); }
+    Said note(const event::Box& e) const { return text_of(e.outside); }
+    Said note(const event::Discard& e) const { return "− " + word(e.polygon); }
+    Said note(const event::Count& e) const { return word(e.count); }
+    Said note(const event::Compare& e) const { return nearer(e.z, e.against, e.nearer); }
+    Said note(const event::Nearer& e) const { return "k = " + word(e.k); }
+    Said note(const event::Uncover&) const { return text_of(false); }
+    Said note(const event::Mark&) const { return text_of(true); }
+    Said note(const event::Cover& e) const { return text_of(true) + ", " + word(e.polygon); }
+    Said note(const event::Insider& e) const { return text_of(e.inside); }
+    Said note(const event::Summary& e) const {
+        return joined({word(e.count), text_of(e.has_surround), text_of(e.insider)}, ", ");
+    }
+    Said note(const event::Nearest& e) const { return word(e.polygon) + ": " + word(e.z); }
+    Said note(const event::PointColor& e) const { return hex(e.color); }
+    Said note(const event::Surround& e) const { return text_of(e.inside); }
+    Said note(const event::Orient& e) const { return with_sign(e.value, e.sign); }
+    Said note(const event::ClipBegin& e) const { return word(e.polygon); }
+    Said note(const event::ClipSide& e) const { return "i = " + word(e.side); }
+    Said note(const event::ClipSign& e) const { return with_sign(e.value, e.sign); }
+    Said note(const event::ClipCross& e) const { return in_space(e.vertex); }
+    Said note(const event::ClipKeep& e) const { return in_space(e.vertex); }
+    Said note(const event::ClipDrop& e) const { return "− " + in_space(e.vertex); }
+    Said note(const event::ClipList& e) const { return "|P′| = " + word(e.count); }
+    Said note(const event::ClipResult& e) const { return "|P′| = " + word(int(e.vertices.size())); }
+    Said note(const event::Row& e) const { return half_open(e.first, e.end); }
+    Said note(const event::Draw& e) const { return word(e.polygon); }
+    Said note(const event::BackFace& e) const { return text_of(e.away); }
+    Said note(const event::Rejoin& e) const { return word(e.polygon) + ", " + word(e.level); }
+    Said note(const event::Join& e) const { return word(e.polygon) + ", " + word(e.level); }
+    Said note(const event::Trial& e) const { return text_of(e.meets); }
+    Said note(const event::Meets& e) const { return text_of(e.meets); }
+    Said note(const event::Ray& e) const { return "+ " + word(e.counts); }
+    Said note(const event::Crossings& e) const { return "n = " + word(e.count); }
+    Said note(const event::Octants& e) const {
+        return word(e.from) + " → " + word(e.to) + ": " + signed_number(e.difference);
+    }
+    Said note(const event::Angle& e) const { return "S = " + signed_number(e.octants); }
+    Said note(const event::Hiding& e) const { return e.polygon ? word(*e.polygon) : "∅"; }
+    Said note(const event::SplitVertex& e) const { return word(e.column) + ", " + word(e.row); }
+    Said note(const event::EdgeDepth& e) const { return word(e.edge) + ": " + word(e.z); }
+
+    // Parts of these
+
+    Said in_space(const ValueVertex& vertex) const { return "(" + list({vertex.x, vertex.y, vertex.z}) + ")"; }
 
     static Said some_or(const std::vector<std::string>& names, const char* nothing) {
         return names.empty() ? nothing : some(names);
@@ -460,5 +513,11 @@ struct WarnockSentences : WarnockWords {
 std::string warnock_sentence(const EventView& event, const PolygonWords& words) {
     return sentence_in<WarnockState::Events>(WarnockSentences{WarnockWords(words)}, event);
 }
+
+std::string warnock_note(const EventView& event, const PolygonWords& words) {
+    return note_in<WarnockState::Events>(WarnockSentences{WarnockWords(words)}, event);
+}
+
+const Noted noted_by_warnock = noted_in<WarnockState::Events, WarnockSentences>(AllEvents{});
 
 }  // namespace vidno::say

@@ -1,4 +1,4 @@
-/// The sentences of Weiler and Atherton's algorithm.
+/// The sentences and notes of Weiler and Atherton's algorithm.
 #include <cmath>
 
 #include "say/tables.h"
@@ -198,7 +198,6 @@ struct WeilerAthertonSentences : PolygonWords {
     Said operator()(const event::Order& e) const {
         constexpr std::array<Bilingual, 3> orders{
             {{"behind", "дальше, чем"}, {"as near as", "так же близко, как"}, {"nearer than", "ближе, чем"}}};
-        constexpr std::array<std::string_view, 3> signs{"<", "=", ">"};
         const auto [own, other] = apart(e.z, e.other_z, language());
         const auto so = in(orders[place_of(e.order)]);
         if (order_of(e.z, e.other_z) != e.order) {
@@ -206,7 +205,7 @@ struct WeilerAthertonSentences : PolygonWords {
                        "В центре {} {} считается {} {}: {} против {}.", e.point, e.polygon, so, e.other, own, other);
         }
         return say("At the centre {} {} is {} {}: {} {} {}.", "В центре {} {} {} {}: {} {} {}.", e.point, e.polygon, so,
-                   e.other, own, signs[place_of(e.order)], other);
+                   e.other, own, relation_of(e.order), other);
     }
     Said operator()(const event::Paint& e) const {
         const auto n = pixels_in(e.runs);
@@ -224,7 +223,40 @@ struct WeilerAthertonSentences : PolygonWords {
         return say("All visible regions are painted.", "Все видимые области закрашены.");
     }
 
-    // Parts of these sentences
+    // Notes: |n| is a region of n vertices, or a list of n pieces.
+
+    Said note(const event::Row& e) const { return half_open(e.first, e.end); }
+    Said note(const event::CutToArea& e) const { return word(e.polygon) + ": " + sized(e.region); }
+    Said note(const event::Pierce& e) const { return word(e.polygon) + ", " + word(e.other); }
+    Said note(const event::Split& e) const { return word(e.polygon) + ": " + sized(e.region) + ", " + sized(e.other); }
+    Said note(const event::Facets& e) const { return "|L| = " + std::to_string(e.pieces.size()); }
+    Said note(const event::GreatestDepth& e) const { return word(e.polygon) + ": " + word(e.z); }
+    Said note(const event::Sorted& e) const { return side_by_side(names(e.polygons)); }
+    Said note(const event::PushList& e) const {
+        std::vector<Said> ids;
+        for (const auto& piece : e.pieces) ids.push_back(word(piece.polygon));
+        return side_by_side(ids);
+    }
+    Said note(const event::PopList& e) const { return "|L| = " + std::to_string(e.count) + ", C = " + word(e.clip); }
+    Said note(const event::Beside& e) const { return word(e.polygon) + ": ∅, " + word(e.polygon); }
+    Said note(const event::Clipped& e) const {
+        return word(e.polygon) + ": " + sized(e.inside) + ", " + sized(e.outside);
+    }
+    Said note(const event::EdgePiece& e) const { return word(e.from) + " → " + word(e.to); }
+    Said note(const event::Entering& e) const { return "→ " + word(e.point); }
+    Said note(const event::Leaving& e) const { return "← " + word(e.point); }
+    Said note(const event::Behind& e) const { return ordered(e.z, e.clip_z, e.order); }
+    Said note(const event::NearerOnes& e) const { return "N = " + side_by_side(names(e.polygons)); }
+    Said note(const event::Show& e) const { return word(e.polygon); }
+    Said note(const event::Order& e) const { return ordered(e.z, e.other_z, e.order); }
+    Said note(const event::Paint& e) const { return word(e.polygon); }
+
+    // Parts of these
+
+    static Said side_by_side(const std::vector<Said>& ids) { return ids.empty() ? "∅" : joined(ids, " "); }
+    static Said sized(const RegionLoops& region) {
+        return region.empty() ? "∅" : "|" + std::to_string(vertices_of(region)) + "|";
+    }
 
     const std::optional<WeilerAthertonState::ListInHand>& in_hand() const {
         return after().weiler_atherton().list_in_hand();
@@ -265,5 +297,11 @@ struct WeilerAthertonSentences : PolygonWords {
 std::string weiler_atherton_sentence(const EventView& event, const PolygonWords& words) {
     return sentence_in<WeilerAthertonState::Events>(WeilerAthertonSentences{words}, event);
 }
+
+std::string weiler_atherton_note(const EventView& event, const PolygonWords& words) {
+    return note_in<WeilerAthertonState::Events>(WeilerAthertonSentences{words}, event);
+}
+
+const Noted noted_by_weiler_atherton = noted_in<WeilerAthertonState::Events, WeilerAthertonSentences>(AllEvents{});
 
 }  // namespace vidno::say

@@ -31,7 +31,7 @@ std::string filled(std::string_view text, const std::vector<std::string>& parts)
 
 std::string capital(std::string text) {
     constexpr std::pair<std::string_view, std::string_view> letters[] = {
-        {"в", "В"}, {"л", "Л"}, {"п", "П"}, {"с", "С"}};
+        {"б", "Б"}, {"в", "В"}, {"и", "И"}, {"л", "Л"}, {"о", "О"}, {"п", "П"}, {"с", "С"}, {"ф", "Ф"}};
     for (const auto& [small, large] : letters) {
         if (text.starts_with(small)) return text.replace(0, small.size(), large);
     }
@@ -60,8 +60,7 @@ std::string Words::word(const Window& window) const {
 std::string Words::list(const std::vector<Value>& numbers) const {
     std::vector<std::string> words;
     for (const auto& number : numbers) words.push_back(word(number));
-    // Where numbers have a comma, a semicolon stands between them.
-    return joined(words, language_ == Language::russian ? "; " : ", ");
+    return joined(words, between_numbers());
 }
 
 std::string Words::counted(long long n, const Plurals& forms) const {
@@ -83,6 +82,23 @@ std::string Words::columns(int first, int last) const {
 std::string Words::range(int first, int last) const {
     // A dash after a minus sign, or before one, would be hard to read.
     return first == last ? word(first) : word(first) + (first < 0 ? "…" : "–") + word(last);
+}
+
+std::string Words::ordered(const Value& one, const Value& other, Sign order) const {
+    const std::string relation(relation_of(order));
+    if (order_of(one, other) != order) return relation;
+    const auto [left, right] = apart(one, other, language_);
+    return left + " " + relation + " " + right;
+}
+
+std::string Words::nearer(const Value& z, const Value& other, bool is) const {
+    if (!agrees(is, z, other)) return text_of(is);
+    const auto [left, right] = apart(z, other, language_);
+    return left + (is ? " > " : " ≯ ") + right;
+}
+
+std::string Words::with_sign(const Value& value, Sign sign) const {
+    return word(value) + " " + std::string(relation_of(sign)) + " 0";
 }
 
 std::vector<std::string> PolygonWords::names(const std::vector<PolygonPlace>& polygons) const {

@@ -31,6 +31,8 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
 /// "1", "1 and 0", "2, 1 and 0".
 std::string listed(const std::vector<std::string>& parts, std::string_view last);
 
+inline std::string text_of(bool answer) { return answer ? "true" : "false"; }
+
 /// How many pixels runs have.
 template <class Run>
 long long pixels_in(const std::vector<Run>& runs) {
@@ -61,6 +63,8 @@ public:
     std::string word(const ReportedSample& sample) const { return pair(Value(sample.first), Value(sample.second)); }
     std::string word(const Window& window) const;
 
+    /// Where numbers have a comma, a semicolon stands between them.
+    std::string_view between_numbers() const { return in({", ", "; "}); }
     std::string list(const std::vector<Value>& numbers) const;
     std::string pair(const Value& x, const Value& y) const { return "(" + list({x, y}) + ")"; }
 
@@ -73,8 +77,32 @@ public:
     /// A range without a noun, "3–5".
     std::string range(int first, int last) const;
 
+    // In the notation of a listing
+
+    /// "[3, 5)".
+    std::string half_open(int first, int end) const { return "[" + list({double(first), double(end)}) + ")"; }
+    /// The order of two numbers; the bare relation if the numbers as written have another.
+    std::string ordered(const Value& one, const Value& other, Sign order) const;
+    /// Whether a depth is nearer than another one; the bare answer if the depths as written have another.
+    std::string nearer(const Value& z, const Value& other, bool is) const;
+    std::string with_sign(const Value& value, Sign sign) const;
+
 private:
     Language language_;
+};
+
+/// An answer of a decision in words.
+struct AnswerWords {
+    const Words& words;
+
+    std::string operator()(bool yes) const { return yes ? words.say("yes", "да") : words.say("no", "нет"); }
+    std::string operator()(int number) const { return words.word(number); }
+    std::string operator()(const std::pair<int, int>& range) const {
+        const auto [first, end] = range;
+        if (first + 1 == end) return std::to_string(first);
+        if (first >= end) return words.say("none", "пусто");
+        return words.say("{} to {}", "от {} до {}", std::to_string(first), std::to_string(end - 1));
+    }
 };
 
 /// The words about a step of a run of polygons, after which it has this state.

@@ -1,4 +1,4 @@
-/// The sentences of the Z-buffer.
+/// The sentences and notes of the Z-buffer.
 #include "say/tables.h"
 
 namespace vidno::say {
@@ -120,7 +120,39 @@ struct ZBufferSentences : PolygonWords {
                    polygon ? word(*polygon) : "", e.row);
     }
 
-    // Parts of these sentences
+    // Notes
+
+    Said note(const event::Polygon& e) const { return word(e.polygon); }
+    Said note(const event::Edge& e) const { return named(e); }
+    Said note(const event::Extent& e) const { return list({e.ymin, e.ymax}); }
+    Said note(const event::Scanline& e) const { return "yₜ = " + word(e.y); }
+    Said note(const event::AelAdd& e) const { return named(e); }
+    Said note(const event::Horizontal& e) const { return named(e); }
+    Said note(const event::Leave& e) const { return side_by_side(e.edges); }
+    Said note(const event::AelSort& e) const { return side_by_side(e.edges); }
+    Said note(const event::AelDrop& e) const { return side_by_side(e.edges); }
+    Said note(const event::AelStep& e) const { return std::to_string(e.edge) + ": " + word(e.x); }
+    Said note(const event::ShownLine& e) const { return list({e.from.x, e.to.x}); }
+    Said note(const event::Miss&) const { return text_of(true); }
+    Said note(const event::Slope& e) const { return "Δz = " + word(e.dz); }
+    Said note(const event::Columns& e) const { return half_open(e.first, e.end); }
+    Said note(const event::Pixel& e) const {
+        // The printed text also shows what is as near, and nothing beyond 1.
+        const auto order = order_of(e.z, e.stored);
+        if (e.shown && order == Sign::zero) {
+            const auto [depth, before] = apart(e.z, e.stored, language());
+            return depth + " ≥ " + before;
+        }
+        const bool is_beyond = !e.shown && order == Sign::positive && number_of(e.z) > 1;
+        return is_beyond ? word(e.z) + " > 1" : nearer(e.z, e.stored, e.shown);
+    }
+    Said note(const event::Span& e) const {
+        std::vector<Said> runs;
+        for (const auto& run : e.runs) runs.push_back(half_open(run.first, run.end));
+        return runs.empty() ? "∅" : joined(runs, " ");
+    }
+
+    // Parts of these
 
     static bool several(const std::vector<int>& edges) { return edges.size() > 1; }
     static bool is_nan(const Value& value) {
@@ -130,6 +162,10 @@ struct ZBufferSentences : PolygonWords {
         std::vector<std::string> words;
         for (const int edge : edges) words.push_back(std::to_string(edge));
         return words;
+    }
+    static Said named(const auto& e) { return "e = " + std::to_string(e.edge); }
+    static Said side_by_side(const std::vector<int>& edges) {
+        return edges.empty() ? "∅" : joined(numbers(edges), " ");
     }
     Said and_last(const std::vector<int>& edges) const { return listed(numbers(edges), in({"and", "и"})); }
     Said unless_infinite(const Value& next, const Bilingual& said) const {
@@ -146,5 +182,11 @@ struct ZBufferSentences : PolygonWords {
 std::string z_buffer_sentence(const EventView& event, const PolygonWords& words) {
     return sentence_in<ZBufferState::Events>(ZBufferSentences{words}, event);
 }
+
+std::string z_buffer_note(const EventView& event, const PolygonWords& words) {
+    return note_in<ZBufferState::Events>(ZBufferSentences{words}, event);
+}
+
+const Noted noted_by_z_buffer = noted_in<ZBufferState::Events, ZBufferSentences>(AllEvents{});
 
 }  // namespace vidno::say

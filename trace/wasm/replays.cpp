@@ -20,6 +20,13 @@
 ///                            table of languages; where what it states is not so, what is so follows on a second line,
 ///                            and on a third one the pixel that shows it, "x y", if it is about one, as after the other
 ///                            sentences
+///     trace_notes(t, step, language)
+///                            makes the notes beside the listing at a step, [["LINE",NOTE],...]
+///     trace_note(t, step, language)
+///                            makes the note of a step's event; nothing if it has none
+///     has_note(event)        whether events have notes, by their index in the table of events
+///     trace_decision(t, step, language)
+///                            makes the decision of a step (say/decision.h); nothing if it has none
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last
 ///                            (values.h)
 ///
@@ -62,6 +69,8 @@
 #include <vector>
 
 #include "replay/replay.h"
+#include "say/decision.h"
+#include "say/notes_in_play.h"
 #include "say/pixel_history.h"
 #include "say/sentence.h"
 #include "wasm/exchange.h"
@@ -93,6 +102,13 @@ struct Followed {
     std::uint64_t seen = 0;                                       // the last step that was read
     std::vector<std::pair<std::uint64_t, say::Outcome>> steps{};  // that concern the pixel
 };
+
+/// Values in which no polygon is named by its place.
+void append_json(Text& out, const auto& value) {
+    const PolygonNames none;
+    RememberedShortest shortest;
+    FieldWriter<Text&>(out, none, shortest).value(value);
+}
 
 void append_statement(Text& out, const say::Statement& said) {
     out += said.text;
@@ -265,6 +281,30 @@ extern "C" {
                 vidno::append_statement(page.made, vidno::say::sentence(seen.event, after, vidno::Language(language)));
             },
             seen.after);
+    });
+}
+
+[[clang::export_name("trace_notes")]] void vidno_trace_notes(int trace, std::size_t step, int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        vidno::append_json(page.made, vidno::say::notes_in_play(vidno::replay(trace), step, vidno::Language(language)));
+    });
+}
+
+[[clang::export_name("trace_note")]] void vidno_trace_note(int trace, std::size_t step, int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        vidno::Replay& replay = vidno::replay(trace);
+        const vidno::EventView event = replay.event(step);
+        page.made += std::visit(
+            [&](const auto& run) { return vidno::say::note(event, run, vidno::Language(language)); }, replay.shown());
+    });
+}
+
+[[clang::export_name("has_note")]] bool vidno_has_note(std::size_t event) { return vidno::say::has_note(event); }
+
+[[clang::export_name("trace_decision")]] void vidno_trace_decision(int trace, std::size_t step, int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const auto said = vidno::say::decision(vidno::replay(trace), step, vidno::Language(language));
+        if (said) vidno::append_json(page.made, *said);
     });
 }
 

@@ -126,18 +126,18 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
 
 /// The history of the chosen pixel, if it is shown.
 std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
-                                                const Area& area) {
+                                                const TraceHeader& header) {
     if (!drawing.shows(figures::Part::history)) {
         if (!options.pixel.empty()) refuse("--pixel", "needs --show history");
         return std::nullopt;
     }
     if (options.pixel.empty()) refuse("--show history", "needs --pixel X,Y");
-    return figures::PixelHistory(pixel_in(options.pixel, area), drawing.style.language);
+    return figures::PixelHistory(pixel_in(options.pixel, header.scene.area), header, drawing.style.language);
 }
 
 figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
                       const FigureOptions& options, Losses& losses) {
-    auto history = history_in(options, drawing, reader.header().scene.area);
+    auto history = history_in(options, drawing, reader.header());
     figures::Figure figure(drawing);
     figures::Moment moment(reader.header());
     const auto draw = [&] { figure.add(moment, history); };

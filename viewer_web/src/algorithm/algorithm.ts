@@ -2,7 +2,6 @@ import type { Counter } from '../compare/counters.js';
 import type { Sum } from '../compare/survey.js';
 import type { Abouts } from '../exactness/mapped-decision.js';
 import type { SolidTexts } from '../language/texts.js';
-import type { Notes } from '../listing/notes.js';
 import type { Outlined } from '../outline/outlined.js';
 import type { Mark } from '../picture/mark.js';
 import type { Askers } from '../predict/asker.js';
@@ -25,8 +24,6 @@ import type { View } from './view.js';
  * of its runs is its `Model`. Warnock's algorithm has several methods, its variants; each of the others has one.
  */
 export interface Algorithm {
-  /** The notes of its events beside their lines of the listing. */
-  readonly notes: Partial<Notes>;
   /** The events that make another window, polygon, curve or list the current item. */
   readonly begins: readonly EventName[];
 

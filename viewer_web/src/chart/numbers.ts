@@ -1,7 +1,7 @@
 import { languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
+import { superscript } from '../language/words.js';
 
-const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 const longest = 1e5;
 const shortest = 1e-3;
 const space = '\u00a0';
@@ -15,18 +15,13 @@ const rounded = formats({ maximumSignificantDigits: 3 });
 const wholes = formats({ maximumFractionDigits: 0 });
 const times: Readonly<Record<Language, string>> = { en: '×', ru: '·' };
 
-function power(exponent: number): string {
-  const digits = String(exponent).replace('-', '⁻');
-  return `10${digits.replace(/\d/gu, (digit) => superscripts[Number(digit)] ?? '')}`;
-}
-
 /** Three digits, with a power of ten if there would be many zeros. */
 export function number(value: number, language: Language): string {
   if (value === Infinity) return '∞';
   if (value === 0 || (value >= shortest && value < longest)) return rounded[language].format(value);
   const [digits = '', exponent = ''] = value.toExponential(2).split('e');
   const before = Number(digits);
-  const scale = power(Number(exponent));
+  const scale = `10${superscript(Number(exponent))}`;
   return before === 1 ? scale : `${rounded[language].format(before)}${times[language]}${scale}`;
 }
 

@@ -7,20 +7,17 @@ import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { ExactTexts } from '../language/texts.js';
+import { superscript } from '../language/words.js';
 import type { Trace } from '../replay/trace.js';
-import type { Answer, N } from '../trace/values.js';
-import { calculation, hasDrifted, inNotation, superscript, withoutOne } from './calculation.js';
-import type { Column } from './calculation.js';
+import type { SaidDecision } from '../trace/event-table.js';
 import './findings-element.js';
 import './lens.js';
 import { mappedDecisionOf } from './mapped-decision.js';
 import type { MappedDecision } from './mapped-decision.js';
 import { side } from './places.js';
 import type { SignMap, SignMapSource } from './sign-map.js';
-import { askCheck, verdictBy } from './truth.js';
+import { askCheck, decisionBy } from './truth.js';
 import type { Check } from './truth.js';
-import { isWrong } from './verdict.js';
-import type { Verdict } from './verdict.js';
 
 /** The numbers of a decision, and the map beside or under them. */
 const exactnessStyle = css`
@@ -99,12 +96,6 @@ const exactnessStyle = css`
       max-width: 13rem;
     }
   }
-  .by-hand h4 {
-    margin: 0.5rem 0 0.15rem;
-    font-size: 0.75rem;
-    font-weight: 600;
-    color: var(--soft);
-  }
   .lines {
     margin: 0;
     padding: 0;
@@ -180,15 +171,15 @@ export class ExactnessElement extends LitElement {
 
   override render(): TemplateResult {
     const { mapped } = this;
-    const verdict = verdictBy(this.check, this.trace, this.view.step);
-    if (verdict === null && mapped === null) {
+    const decision = decisionBy(this.check, this.trace, this.view.step, this.view.language);
+    if (decision === null && mapped === null) {
       return html`${this.checked()}
         <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>
         ${this.list()}`;
     }
     return html`
-      ${this.checked()} ${verdict && this.decision(verdict)}
-      ${mapped === null ? this.noLens(this.texts.noLens) : this.lens(mapped, verdict)}
+      ${this.checked()} ${decision && this.decision(decision)}
+      ${mapped === null ? this.noLens(this.texts.noLens) : this.lens(mapped, decision)}
       ${this.list()}
     `;
   }
@@ -238,88 +229,45 @@ export class ExactnessElement extends LitElement {
     return isKnown ? this.texts.findWrong : '';
   }
 
-  private decision(verdict: Verdict): TemplateResult {
-    const say = this.texts;
-    const { of, numbers, taken, exact, by } = verdict;
-    const { language } = this.view;
-    const whole = (value: N): string => withoutOne(numbersOf(this.view).whole(value));
-    const title = say.decided[of];
+  private decision(decision: SaidDecision): TemplateResult {
+    const { title, numbers, answers, judged, judgement, calculations } = decision;
     return html`<section>
-        <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
+        <h3>${title}</h3>
         <dl>
           ${numbers.map(
             ([name, value]) =>
-              html`<dt>${inNotation(name, language)}</dt>
-                <dd title=${whole(value)}>${written(whole(value))}</dd>`,
+              html`<dt>${name}</dt>
+                <dd title=${value}>${written(value)}</dd>`,
           )}
-          <dt>${say.computed}</dt>
-          <dd class="words computed">${this.answer(verdict, taken)}</dd>
-          ${
-            exact === undefined || exact === null
-              ? nothing
-              : html`<dt>${say.exact}</dt>
-                  <dd class="words exact">${this.answer(verdict, exact)}</dd>`
-          }
-          ${
-            by === undefined
-              ? nothing
-              : html`<dt>${say.decidedBy}</dt>
-                  <dd class="words">${say.stages[by]}</dd>`
-          }
+          ${answers.map(
+            ([name, answer]) =>
+              html`<dt>${name}</dt>
+                <dd class="words">${answer}</dd>`,
+          )}
         </dl>
-        ${this.judgement(verdict)}
+        <p class="verdict ${judged}">${judgement}</p>
       </section>
-      ${this.byHand(verdict)}`;
+      ${calculations.length === 0 ? nothing : this.byHand(calculations)}`;
   }
 
   /** The calculation line by line, also with the numbers of the run if they are not the right ones. */
-  private byHand({ of, operands, numbers }: Verdict): TemplateResult | typeof nothing {
-    if (operands === undefined || calculation(of, operands, 'exact')?.length === 0) return nothing;
-    const say = this.texts;
-    const columns: readonly Column[] = hasDrifted(operands) ? ['used', 'exact'] : ['exact'];
-    const other = numbers[1]?.[0];
-    const shown = (line: string): string => inNotation(line, this.view.language, other);
+  private byHand(calculations: SaidDecision['calculations']): TemplateResult {
     return html`<section class="by-hand">
-      <h3>${say.byHand}</h3>
-      ${columns.map((column) => {
-        const lines = calculation(of, operands, column);
-        return html`
-          ${columns.length > 1 ? html`<h4>${say.byHandWith[column]}</h4>` : nothing}
-          ${
-            lines === null
-              ? html`<p class="hint">${say.noNumbers}</p>`
-              : html`<ol class="lines">
-                  ${lines.map(shown).map((line) => html`<li title=${line}>${written(line, longestLine)}</li>`)}
-                </ol>`
-          }
-        `;
-      })}
+      ${calculations.map(
+        ({ title, lines }) =>
+          html`<h3>${title}</h3>
+            <ol class="lines">
+              ${lines.map((line) => html`<li title=${line}>${written(line, longestLine)}</li>`)}
+            </ol>`,
+      )}
     </section>`;
   }
 
-  private answer({ of }: Verdict, answer: Answer): string {
-    const { signs, answer: say } = this.texts;
-    return of === 'orientation' ? signs[String(answer) as keyof typeof signs] : say(answer);
-  }
-
-  private judgement(verdict: Verdict): TemplateResult {
-    const say = this.texts;
-    if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
-    if (verdict.exact === undefined) {
-      return html`<p class="verdict">
-        ${this.check.is === 'certain' ? say.certain : say.notChecked}
-      </p>`;
-    }
-    if (!isWrong(verdict)) return html`<p class="verdict right">✓ ${say.right}</p>`;
-    const cause = verdict.cause === undefined ? '' : say.causes[verdict.cause];
-    return html`<p class="verdict wrong">✗ ${say.wrong} ${cause}</p>`;
-  }
-
-  private lens({ at }: MappedDecision, verdict: Verdict | null): TemplateResult {
+  private lens({ at }: MappedDecision, decision: SaidDecision | null): TemplateResult {
     const say = this.texts;
     const { drawn, isDrawing } = this;
     if (this.maps === null) return this.noLens(this.noLibrary);
-    if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
+    if (drawn !== null) return this.map(drawn, isDrawing ? null : decision);
     if (!isDrawing) return this.noLens(say.noLens);
     return html`<section>
       <h3>${say.lens(numbersOf(this.view).point(at))}</h3>
@@ -327,7 +275,7 @@ export class ExactnessElement extends LitElement {
     </section>`;
   }
 
-  private map({ mapped, map }: Drawn, verdict: Verdict | null): TemplateResult {
+  private map({ mapped, map }: Drawn, decision: SaidDecision | null): TemplateResult {
     const say = this.texts;
     const { at, places, asked } = mapped;
     const title = say.lens(numbersOf(this.view).point(at));
@@ -341,16 +289,16 @@ export class ExactnessElement extends LitElement {
         .label=${title}
         ?plain=${!('orientation' in asked)}
       ></vidno-lens>
-      ${this.driftOf(map, verdict)}
+      ${this.driftOf(map, decision)}
     </section>`;
   }
 
   /** A note on drift: the Z-buffer accumulates depths and the map does not, so its centre may differ from the run. */
-  private driftOf(map: SignMap, verdict: Verdict | null): TemplateResult | typeof nothing {
+  private driftOf(map: SignMap, decision: SaidDecision | null): TemplateResult | typeof nothing {
     const isOther =
-      typeof verdict?.taken === 'boolean' &&
-      verdict.of === 'nearer' &&
-      verdict.taken !== (map.centre.computed === 1);
+      typeof decision?.taken === 'boolean' &&
+      decision.of === 'nearer' &&
+      decision.taken !== (map.centre.computed === 1);
     return isOther ? html`<p class="hint">${this.texts.drifted}</p>` : nothing;
   }
 

@@ -6,11 +6,11 @@ import type { View } from '../algorithm/view.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
+import { superscript } from '../language/words.js';
 import type { ExactTexts } from '../language/texts.js';
 import { isSeen, narrow, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
-import { inNotation, superscript, withoutOne } from './calculation.js';
 
 /** The number of rows shown until the reader asks for more. */
 const page = 60;
@@ -206,7 +206,7 @@ export class FindingsElement extends LitElement {
       of === undefined ? procedure : `${procedure}: ${say.decided[of]}`,
       taken === undefined ? '' : `${say.computed}: ${say.answer(taken)}${right}`,
       cause === undefined ? '' : say.causes[cause],
-      operands.map((each) => this.operand(each)).join('; '),
+      of === undefined ? operands.map((each) => this.coordinate(each)).join('; ') : '',
       gap === undefined ? '' : say.findings.gap(this.number(computed ?? gap), this.number(gap)),
       say.findings.decides(windowText(pixels)),
     ];
@@ -217,14 +217,14 @@ export class FindingsElement extends LitElement {
     </tr>`;
   }
 
-  private operand([name, used, exact]: Finding['operands'][number]): string {
+  private coordinate([name, used, exact]: Finding['operands'][number]): string {
     const right = exact === used || exact === null ? '' : ` (${this.number(exact)})`;
-    return `${inNotation(name, this.view.language)} = ${this.number(used ?? 'nan')}${right}`;
+    return `${name} = ${this.number(used ?? 'nan')}${right}`;
   }
 
   /** A shortened number, because fractions may be long; the file has all digits. */
   private number(value: N): string {
-    const plain = withoutOne(numbersOf(this.view).whole(value));
+    const plain = numbersOf(this.view).whole(value).replace(/\/1$/u, '');
     return plain.length > longest ? `${plain.slice(0, longest)}…` : plain;
   }
 

@@ -3,8 +3,7 @@ import type { Trace } from '../replay/trace.js';
 import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { certaintyOf } from './certainty.js';
-import { Truth, verdictBy } from './truth.js';
-import { isWrong } from './verdict.js';
+import { Truth, decisionBy } from './truth.js';
 
 const orient = (value: number): Event<'orient'> => ({
   e: 'orient',
@@ -42,15 +41,11 @@ describe('the right answers for an unchecked run', () => {
     const truth = Truth.of(run, await trace(...checked));
     if (truth === null) throw new Error('another run');
     expect(truth.wrong).toEqual([4]);
-    const verdicts = [1, 3, 4, 5].map((step) => verdictBy({ is: 'found', truth }, run, step));
-    expect(verdicts.map((verdict) => verdict && isWrong(verdict))).toEqual([
-      null,
-      false,
-      true,
-      false,
-    ]);
-    expect(verdicts[2]).toMatchObject({ taken: -1, exact: 1, cause: 'rounded' });
-    expect(verdictBy({ is: 'unchecked' }, run, 4)?.exact).toBeUndefined();
+    const judged = [1, 3, 4, 5].map(
+      (step) => decisionBy({ is: 'found', truth }, run, step, 'en')?.judged,
+    );
+    expect(judged).toEqual([undefined, 'right', 'wrong', 'right']);
+    expect(decisionBy({ is: 'unchecked' }, run, 4, 'en')?.judged).toBe('not_checked');
   });
 
   it('are never those of another run', async () => {

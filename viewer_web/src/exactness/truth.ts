@@ -1,12 +1,12 @@
+import type { Language } from '../language/language.js';
 import type { Timeline } from '../replay/timeline.js';
 import type { Trace } from '../replay/trace.js';
+import type { SaidDecision } from '../trace/event-table.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Finding } from './finding.js';
 import { certaintyOf } from './certainty.js';
 import type { Certainty } from './certainty.js';
-import { verdictOf } from './verdict.js';
-import type { Verdict } from './verdict.js';
 
 const disagree = numberOf.get('disagree');
 
@@ -38,8 +38,8 @@ export class Truth {
     return step === timeline.length ? new Truth(checked, places, wrong) : null;
   }
 
-  verdictAt(step: number): Verdict | null {
-    return verdictOf(this.checked, this.places[step] ?? 0);
+  decision(step: number, language: Language): SaidDecision | null {
+    return this.checked.timeline.decision(this.places[step] ?? 0, language);
   }
 }
 
@@ -79,9 +79,13 @@ const certainties: Readonly<Record<Certainty, Check>> = {
 /** The check that the trace alone provides. */
 export const ownCheck = (trace: Trace): Check => certainties[certaintyOf(trace)];
 
-/** The verdict on a step, from the check or else from the trace itself. */
-export const verdictBy = (check: Check, trace: Trace, step: number): Verdict | null =>
-  check.is === 'found' ? check.truth.verdictAt(step) : verdictOf(trace, step);
+/** The decision of a step, from the check or else from the trace itself. */
+export const decisionBy = (
+  check: Check,
+  { timeline }: Trace,
+  step: number,
+  language: Language,
+): SaidDecision | null => (check.is === 'found' ? check.truth : timeline).decision(step, language);
 
 /** Requests a check of the run from the owner of the library, from anywhere in the player. */
 export function askCheck(from: EventTarget): void {

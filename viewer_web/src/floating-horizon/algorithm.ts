@@ -4,7 +4,6 @@ import type { View } from '../algorithm/view.js';
 import type { Event } from '../trace/events.js';
 import { flags, horizons, meeting, sideEdge } from './ask.js';
 import { figureOf } from './shapes.js';
-import { notes } from './notes.js';
 import { outline } from './outline.js';
 
 /** The curves, and the columns examined last, since there may be thousands of columns. */
@@ -23,7 +22,6 @@ function landmark(event: Event, current: string): string | null {
 }
 
 defineAlgorithm(['floating-horizon'], {
-  notes,
   begins: ['curve'],
   things,
   marks: () => [],

@@ -20,7 +20,6 @@ export type Numbers = Pick<
   | 'list'
   | 'point'
   | 'windowText'
-  | 'faultReason'
 >;
 
 /** The page's texts in one language, except for the sentences of events, which are the library's. English has their types. */

@@ -33,6 +33,12 @@ export function short(value: N): string {
 /** Replaces `x = ≈0.3` by `x ≈ 0.3`. */
 export const withoutDoubledSigns = (text: string): string => text.replaceAll('= ≈', '≈ ');
 
+/** A whole number as an exponent. */
+export const superscript = (exponent: number): string =>
+  String(exponent).replace(/[\d-]/gu, (sign) =>
+    sign === '-' ? '⁻' : ('⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)] ?? ''),
+  );
+
 /** A whole number with its sign, as a summand. */
 export const signed = (n: number): string => (n > 0 ? `+${n}` : short(n));
 
@@ -133,6 +139,3 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
 }
-
-/** The reason of a fault, as a trace has it. */
-export const faultReason = (reason: string): string => reason;

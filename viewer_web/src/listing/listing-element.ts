@@ -2,14 +2,12 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { isCorrected } from '../language/stated.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
 import type { Trace } from '../replay/trace.js';
 import './cpp.js';
-import { valuesInPlay } from './in-play.js';
 import { texts } from '../i18n/index.js';
 import { deviationOf } from '../trace/editions.js';
 import { listingsOf, wrongLines } from './listings.js';
@@ -343,7 +341,7 @@ export class ListingElement extends LitElement {
   }
 
   private procedures(): TemplateResult {
-    this.values = valuesInPlay(this.trace, this.view.step, numbersOf(this.view));
+    this.values = this.trace.timeline.notesAt(this.view.step, this.view.language);
     this.callers = new Set(this.view.after.calls.slice(0, -1).map(({ at }) => at));
     return html`<div
       class="procedures"

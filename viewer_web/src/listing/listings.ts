@@ -1,10 +1,11 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
 import type { Language } from '../language/language.js';
-import type { Method } from '../trace/events.js';
+import { engine } from '../replay/engine.js';
+import { details, eventsOf, isOfAnyLine, kinds, numberOf } from '../trace/events.js';
+import type { Detail, Method } from '../trace/events.js';
 import { deviationOf, deviations, hasDefect, runsUnder } from '../trace/editions.js';
 import type { Deviation, Edition } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
-import { speaks } from './notes.js';
 
 /** A line of a procedure as shown. */
 export interface Line {
@@ -57,6 +58,19 @@ function line(source: SourceLine, edition: Edition, language: Language): Omit<Li
 
 /** The procedures of a method, in the order of their calls. */
 export const namesOf = (method: Method): readonly string[] => listings.methods[method];
+
+/** Whether a line can have a note at this level, except notes that any line may have. */
+function speaks(label: string, method: Method, detail: Detail): boolean {
+  return eventsOf[method].some((name) => {
+    const { at, from } = kinds[name];
+    return (
+      !isOfAnyLine(name) &&
+      engine().exports.has_note(numberOf.get(name) ?? -1) !== 0 &&
+      details.indexOf(from) <= details.indexOf(detail) &&
+      at?.includes(label) === true
+    );
+  });
+}
 
 /** The listings in the run's edition, with the lines that can have notes at its level. */
 export function listingsOf(

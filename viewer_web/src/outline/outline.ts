@@ -1,7 +1,5 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
-import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { noteOf } from '../listing/notes.js';
 import type { Trace } from '../replay/trace.js';
 import type { Book } from '../time/course.js';
 import { callsFrom, depthChanges, eventNames, kinds, numberOf } from '../trace/events.js';
@@ -152,6 +150,7 @@ export class Outline {
       itemFrom: firsts[this.itemOf(node)] ?? first,
       part: parts[node] ?? -1,
       event: (step) => timeline.event(step),
+      note: (step, language) => timeline.note(step, language),
       stepsOf: (name, from = first) => stepsOf(timeline.names, name, from, last),
     };
   }
@@ -270,11 +269,11 @@ export function outlineOf(trace: Trace): Outline {
 const longest = 60;
 
 /** A procedure with its result, as in the listing's notes: "SurroundTest A: true". */
-function sayCall({ kind, last, header, event }: NodeData, language: Language): string {
+function sayCall({ kind, last, event, note: noteOf }: NodeData, language: Language): string {
   const result = event(last);
   if (result === null || kinds[result.e].resultOf !== kind) return kind;
   const polygon = 'polygon' in result ? (result.polygon ?? '') : '';
-  const note = noteOf(result, header.method, texts[language].numbers)?.slice(0, longest) ?? '';
+  const note = noteOf(last, language).slice(0, longest);
   if (note === '' || note === polygon || note.startsWith(`${polygon}:`)) {
     return `${kind} ${note || polygon}`.trim();
   }

@@ -17,13 +17,14 @@ export interface NodeData {
   /** See `Stretches`. */
   readonly part: number;
   event(step: number): Event | null;
+  /** The note of a step's event, as beside the listing. */
+  note(step: number, language: Language): string;
   /** The steps with this event name, among its own or from another step on. */
   stepsOf(name: EventName, from?: number): readonly number[];
 }
 
 /**
- * The additions of an algorithm's outline to the items that `begins` names and the procedures, each from its call to its
- * result.
+ * The additions of an algorithm's outline to the items and the procedures, each from its call to its result.
  */
 export interface Outlined {
   /** The events at which a part of the current item begins. It ends where the next one begins. */

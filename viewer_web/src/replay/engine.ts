@@ -14,6 +14,10 @@ interface Exports extends Basics {
   trace_line(trace: number, step: number): void;
   trace_values(trace: number, step: number): void;
   trace_sentence(trace: number, step: number, language: number): void;
+  trace_notes(trace: number, step: number, language: number): void;
+  trace_note(trace: number, step: number, language: number): void;
+  has_note(event: number): number;
+  trace_decision(trace: number, step: number, language: number): void;
   history_open(trace: number, x: number, y: number): number;
   history_close(history: number): void;
   history_read(history: number, until: number): void;

@@ -1,5 +1,6 @@
 import { languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
+import type { SaidDecision } from '../trace/event-table.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { engine } from './engine.js';
@@ -67,6 +68,25 @@ export class Timeline {
   sentence(step: number, language: Language): string {
     engine().exports.trace_sentence(this.trace, step, languages.indexOf(language));
     return engine().made();
+  }
+
+  /** What the event of a step found, in the notation of the listing; empty if it has no note. */
+  note(step: number, language: Language): string {
+    engine().exports.trace_note(this.trace, step, languages.indexOf(language));
+    return engine().made();
+  }
+
+  /** The notes beside the listing at a step, by the labels of lines. */
+  notesAt(step: number, language: Language): ReadonlyMap<string, string> {
+    engine().exports.trace_notes(this.trace, step, languages.indexOf(language));
+    return new Map(JSON.parse(engine().made()) as readonly (readonly [string, string])[]);
+  }
+
+  /** The decision of a step in words; null if it decides nothing. */
+  decision(step: number, language: Language): SaidDecision | null {
+    engine().exports.trace_decision(this.trace, step, languages.indexOf(language));
+    const made = engine().made();
+    return made === '' ? null : (JSON.parse(made) as SaidDecision);
   }
 
   /** The state after the first `step` events. */

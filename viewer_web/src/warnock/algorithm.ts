@@ -31,7 +31,6 @@ import {
 import { course, goals } from './course.js';
 import { marks, thingMarks } from './marks.js';
 import { ownersOf } from './naming.js';
-import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { caption, drawing, pointed } from './solid.js';
 
@@ -67,7 +66,6 @@ const sums: Algorithm['sums'] = [
 ];
 
 defineAlgorithm(methods.filter(hasWindows), {
-  notes,
   begins: ['pop'],
   things,
   marks,

@@ -18,11 +18,9 @@ import {
 import { course } from './course.js';
 import { figureOf, marks } from './shapes.js';
 import { plane } from '../polygons/ask-plane.js';
-import { notes } from './notes.js';
 import { outline } from './outline.js';
 
 defineAlgorithm(['weiler-atherton'], {
-  notes,
   begins: ['pop_list'],
   things: () => [],
   marks,

@@ -10,7 +10,6 @@ import { plane } from '../polygons/ask-plane.js';
 import { ael, facts, pixels, polygonsAsked } from './ask.js';
 import { changesAel, course, goals } from './course.js';
 import { marks, thingMarks } from './marks.js';
-import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { caption, drawing, pointed } from './solid.js';
 
@@ -27,7 +26,6 @@ function landmark(event: Event, current: string): string | null {
 }
 
 defineAlgorithm(['zbuffer'], {
-  notes,
   begins: ['polygon'],
   things,
   marks,

@@ -20,16 +20,6 @@ export const exact = {
   answer,
   computed: 'Computed',
   exact: 'Exactly',
-  decidedBy: 'Decided by',
-  stages: {
-    given: 'the given coordinates',
-    scene: 'a bound for the whole scene',
-    operands: 'a bound for these numbers',
-    exact: 'exact arithmetic',
-  },
-  right: 'Right.',
-  wrong: 'Wrong.',
-  undefined: 'The run took a wrong branch before, so there is no right answer here.',
   unchecked: 'Not checked: this run was not compared with exact arithmetic.',
   /** Shown in place of the number of wrong decisions. */
   notChecked: 'not checked',
@@ -50,7 +40,6 @@ export const exact = {
     tooLong: 'Not checked: the checked run would be too long for this page.',
     failed: 'Not checked: the library could not run this scene again.',
   },
-  certain: 'With these numbers every decision is exact.',
   check: 'Check every decision',
   /** The list of decisions worth looking at. */
   findings: {
@@ -87,10 +76,6 @@ export const exact = {
     edgeAtCorner: (edge: number, corner: WindowCorner): string =>
       `edge ${edge} over the ${corner.replace('-', ' ')} corner`,
   },
-  /** The heading of the calculation line by line, and its two versions. */
-  byHand: 'Step by step',
-  byHandWith: { used: 'With the numbers of this run', exact: 'With the exact numbers' },
-  noNumbers: 'One of the numbers is undefined or infinite.',
   nothing: 'No numeric decision at this step. Go to a sign, a comparison or a range.',
   findWrong: '“Go to: a wrong decision” finds the wrong ones.',
   lens: (at: string): string => `The same decision around ${at}`,

@@ -1,5 +1,4 @@
 import {
-  faultReason,
   inFull,
   joined,
   list,
@@ -32,7 +31,6 @@ import { tour, verdict, words } from './words.js';
 
 export const texts = {
   numbers: {
-    faultReason,
     inFull,
     joined,
     list,

@@ -1,5 +1,4 @@
 import * as words from '../../language/words.js';
-import { faultReasons } from '../../trace/event-table.js';
 import type { Box, N } from '../../trace/values.js';
 
 /** A number in the Russian format. */
@@ -28,6 +27,3 @@ export const point = (at: readonly N[]): string => `(${list(at)})`;
 
 export const windowText = ([x, y, width, height]: Box): string =>
   `${point([x, y])} ${short(width)} × ${short(height)}`;
-
-/** Those that another program has written remain as they are. */
-export const faultReason = (reason: string): string => faultReasons[reason] ?? reason;

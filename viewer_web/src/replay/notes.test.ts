@@ -1,9 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { valuesInPlay } from './in-play.js';
 
 /** Two polygons in a window: A is done, and B is being tested at its first corner. */
 const events: readonly Event[] = [
@@ -27,10 +25,10 @@ async function at(
   language: Language = 'en',
 ): Promise<Readonly<Record<string, string>>> {
   const trace = await traceOf(textWith(headerOf('warnock'), events));
-  return Object.fromEntries(valuesInPlay(trace, step, texts[language].numbers));
+  return Object.fromEntries(trace.timeline.notesAt(step, language));
 }
 
-describe('the values in play', () => {
+describe('the notes beside a listing', () => {
   it('are the last notes of each line, in the procedure and in its callers', async () => {
     expect(await at(12)).toEqual({
       W5: '(0, 0) 8 × 8',
@@ -61,4 +59,14 @@ describe('the values in play', () => {
   it('are none before the first step', async () => {
     expect(await at(0)).toEqual({});
   });
+});
+
+it('the reason of a fault is noted in the language of the page, unless another program wrote it', async () => {
+  const note = async (reason: string, language: Language): Promise<string> => {
+    const fault: Event = { e: 'fault', at: 'L6', reason };
+    return (await traceOf(textWith(headerOf('zbuffer'), [fault]))).timeline.note(1, language);
+  };
+  expect(await note('division by zero', 'en')).toBe('division by zero');
+  expect(await note('division by zero', 'ru')).toBe('деление на нуль');
+  expect(await note('out of memory', 'ru')).toBe('out of memory');
 });

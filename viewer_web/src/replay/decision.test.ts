@@ -2,7 +2,9 @@ import { expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import { isAlwaysRight } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
-import { isWrong, verdictOf } from './verdict.js';
+import type { Trace } from './trace.js';
+
+const decisionAt = ({ timeline }: Trace, step: number) => timeline.decision(step, 'en');
 
 const orient: Event = {
   e: 'orient',
@@ -24,43 +26,45 @@ const disagree: Event = {
 };
 const clear: Event = { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' };
 
-it('a wrong decision and the step that reports it have the same verdict', async () => {
+it('a wrong decision and the step that reports it are one', async () => {
   const trace = await traceOf(textWith(headerOf('warnock'), [orient, disagree]));
-  const verdict = verdictOf(trace, 1);
-  expect(verdict).toEqual({
+  const decision = decisionAt(trace, 1);
+  expect(decision).toEqual({
     of: 'orientation',
-    numbers: [['f', -1e-17]],
     taken: -1,
-    exact: 0,
-    by: undefined,
-    operands: undefined,
-    cause: 'rounded',
+    title: 'On which side of the line the point lies',
+    numbers: [['f', '−1e−17']],
+    answers: [
+      ['Computed', 'negative'],
+      ['Exactly', 'zero'],
+    ],
+    judged: 'wrong',
+    judgement: '✗ Wrong. This operation rounded.',
+    calculations: [],
   });
-  expect(verdictOf(trace, 2)).toEqual(verdict);
-  expect(verdict && isWrong(verdict)).toBe(true);
+  expect(decisionAt(trace, 2)).toEqual(decision);
 });
 
-it('a step without events of its decisions has the verdict of the first wrong one', async () => {
+it('a step without events of its decisions has the first wrong one', async () => {
   const piece: Event = { e: 'edge_piece', at: 'RC2', from: [0, 3], to: [1, 2], lies: 'outside' };
   const left: Event = { ...disagree, at: 'RC2', of: 'left_of', taken: true, exact: false };
   const trace = await traceOf(
     textWith(headerOf('weiler-atherton'), [piece, left, disagree, piece]),
   );
-  expect(verdictOf(trace, 1)).toMatchObject({ of: 'left_of', numbers: [], taken: true });
-  expect(verdictOf(trace, 1)).toEqual(verdictOf(trace, 2));
-  expect(verdictOf(trace, 3)?.of).toBe('orientation');
-  expect(verdictOf(trace, 4)).toBeNull();
+  expect(decisionAt(trace, 1)).toMatchObject({ of: 'left_of', numbers: [], taken: true });
+  expect(decisionAt(trace, 1)).toEqual(decisionAt(trace, 2));
+  expect(decisionAt(trace, 3)?.of).toBe('orientation');
+  expect(decisionAt(trace, 4)).toBeNull();
 });
 
 it('ranges are compared as a whole', async () => {
   const row = { e: 'row', at: 'F2', row: 1, left: 0.5, right: 2.5, first: 0, end: 3 } as const;
-  const wrong = async (exact: readonly [number, number]): Promise<boolean> => {
+  const judged = async (exact: readonly [number, number]): Promise<string | undefined> => {
     const trace = await traceOf(textWith(headerOf('warnock'), [{ ...row, exact }]));
-    const verdict = verdictOf(trace, 1);
-    return verdict !== null && isWrong(verdict);
+    return decisionAt(trace, 1)?.judged;
   };
-  expect(await wrong([0, 3])).toBe(false);
-  expect(await wrong([0, 2])).toBe(true);
+  expect(await judged([0, 3])).toBe('right');
+  expect(await judged([0, 2])).toBe('wrong');
 });
 
 it('an answer is wrong only if it is known to be', async () => {
@@ -69,16 +73,14 @@ it('an answer is wrong only if it is known to be', async () => {
   const trace = await traceOf(
     textWith(headerOf('warnock'), [unchecked, { ...orient, exact: null }]),
   );
-  for (const step of [1, 2]) {
-    const verdict = verdictOf(trace, step);
-    expect(verdict && isWrong(verdict)).toBe(false);
-  }
+  expect(decisionAt(trace, 1)?.judged).toBe('not_checked');
+  expect(decisionAt(trace, 2)?.judged).toBe('undefined');
 });
 
 it('a step without a numerical decision has none', async () => {
   const trace = await traceOf(textWith(headerOf('zbuffer'), [clear]));
-  expect(verdictOf(trace, 0)).toBeNull();
-  expect(verdictOf(trace, 1)).toBeNull();
+  expect(decisionAt(trace, 0)).toBeNull();
+  expect(decisionAt(trace, 1)).toBeNull();
 });
 
 it('three kernels always decide as exact arithmetic does, even unchecked', () => {
