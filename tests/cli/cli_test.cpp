@@ -82,7 +82,8 @@ TEST_CASE("say: what happens at each step, or at some, in a language") {
           "2: The window (0, 0) 2 × 2 comes off the stack.\n"
           "3: Only 0 is left in the window: background first, then 0.\n"
           "4: 2 pixels take the background.\n"
-          "5: 1 pixel takes the colour of 0 in 1 row.\n");
+          "5: 1 pixel takes the colour of 0 in 1 row.\n"
+          "Finished: 2 pixels, all as in exact arithmetic; 1 window.\n");
     CHECK(program("say " + trace + " --step 4").text == "4: 2 pixels take the background.\n");
     CHECK(program("say " + trace + " --steps 4..5 --language ru").text ==
           "4: 2 пикселя получают цвет фона.\n5: 1 пиксель получает цвет 0 в 1 строке.\n");

@@ -1,5 +1,7 @@
 #include <iostream>
 
+#include "check/check.h"
+#include "choice/kernel_choice.h"
 #include "cli/commands.h"
 #include "cli/shared/losses.h"
 #include "cli/shared/progress.h"
@@ -9,6 +11,8 @@
 #include "say/decision.h"
 #include "say/pixel_history.h"
 #include "say/sentence.h"
+#include "say/verdict.h"
+#include "scene/exact_scene.h"
 
 namespace vidno::cli {
 
@@ -55,12 +59,55 @@ void print(const say::SaidDecision& decision) {
     }
 }
 
+/// Counts the events of a run, and the steps with wrong decisions.
+struct Counts {
+    say::Tally tally{};
+    std::uint64_t wrong_steps = 0;
+    bool is_checked = false, was_disagree = false;
+
+    void take(const EventView& event) {
+        ++tally[event.place()];
+        const bool is_disagree = event.get_if<event::Disagree>() != nullptr;
+        wrong_steps += is_disagree && !was_disagree;
+        was_disagree = is_disagree;
+        is_checked = is_checked || is_disagree || event.visit([](const auto& e) {
+            if constexpr (requires { e.checked; }) {
+                return e.checked.exact.has_value();
+            } else {
+                return false;
+            }
+        });
+    }
+};
+
+/// How the picture of a whole run compares with the right one. Large ones are not compared, since that takes seconds.
+say::Comparison compared(const State& end, const Counts&) {
+    constexpr long long most_pixels = 1 << 20;
+    constexpr std::size_t most_polygons = 5000;
+    const Scene& scene = end.header().scene;
+    const Area& area = scene.area;
+    const bool is_large = static_cast<long long>(area.width) * area.height > most_pixels;
+    if (is_large || scene.polygons.size() > most_polygons) return {};
+    const Picture right = right_picture(exact_scene::admit(scene), end.header().method);
+    say::Comparison comparison{say::Comparison::Is::known};
+    for (int y = area.y; y < area.bottom(); ++y) {
+        for (int x = area.x; x < area.right(); ++x) comparison.wrong += end.screen().color(x, y) != right.at(x, y);
+    }
+    return comparison;
+}
+say::Comparison compared(const FloatingHorizonState& end, const Counts& counts) {
+    const auto kernel = kernel_named(end.header().kernel);
+    const bool is_known = counts.is_checked || (kernel && kernel->is_always_right());
+    return {is_known ? say::Comparison::Is::known : say::Comparison::Is::unknown, counts.wrong_steps};
+}
+
 int say_steps(const SayOptions& options, auto& reader) {
     const auto language = Language(place_in(language_codes, options.language));
     const auto [first, last] = chosen_steps(options);
     auto state = state_of(reader);
     const AnyHeader header = reader.header();
     say::DecidingStep around;
+    Counts counts;
     Progress progress("steps");
     const auto print_decision = [&] {
         const auto said = say::decision(around, header, language);
@@ -68,6 +115,7 @@ int say_steps(const SayOptions& options, auto& reader) {
     };
     const auto take = [&, first = first, last = last](const EventView& event) {
         state.apply(event);
+        counts.take(event);
         progress.show(state.step());
         if (options.calculation) {
             around = {std::move(around.event), std::move(around.next), event.copy()};
@@ -86,6 +134,9 @@ int say_steps(const SayOptions& options, auto& reader) {
     if (options.calculation && state.step() != beyond) {
         around = {std::move(around.event), std::move(around.next), std::nullopt};
         print_decision();
+    }
+    if (first == 1 && !last && !reader.lacks()) {
+        std::cout << say::verdict(header, counts.tally, compared(state, counts), language) << '\n';
     }
     Losses losses;
     losses.add(reader);
@@ -164,7 +215,8 @@ void add_say(CLI::App& program, int& status) {
         ->check(CLI::IsMember(words(language_codes)))
         ->capture_default_str();
     command.footer(
-        "The sentences are those of the page and of the captions of figures. A pixel passes a test (✓) or not (✗), is "
+        "The sentences are those of the page and of the captions of figures. After all steps, the last line is the "
+        "verdict on the run. A pixel passes a test (✓) or not (✗), is "
         "painted (■), or meets a wrong decision (!). Exit status 1: the trace was cut short, is partial, or its run "
         "lost something.");
     command.callback([options, &status] { status = say_run(*options); });

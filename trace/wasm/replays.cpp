@@ -27,6 +27,8 @@
 ///     has_note(event)        whether events have notes, by their index in the table of events
 ///     trace_decision(t, step, language)
 ///                            makes the decision of a step (say/decision.h); nothing if it has none
+///     trace_verdict(t, comparison, wrong, language)
+///                            makes the verdict on the run at its end (say/verdict.h), given how it compares
 ///     trace_values(t, step)  shows a step, from 0, and makes its values as they differ from those that were made last
 ///                            (values.h)
 ///
@@ -73,6 +75,7 @@
 #include "say/notes_in_play.h"
 #include "say/pixel_history.h"
 #include "say/sentence.h"
+#include "say/verdict.h"
 #include "wasm/exchange.h"
 
 namespace vidno {
@@ -305,6 +308,17 @@ extern "C" {
     vidno::attempt([&](vidno::Exchange& page) {
         const auto said = vidno::say::decision(vidno::replay(trace), step, vidno::Language(language));
         if (said) vidno::append_json(page.made, *said);
+    });
+}
+
+[[clang::export_name("trace_verdict")]] void vidno_trace_verdict(int trace, int comparison, std::size_t wrong,
+                                                                 int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        const vidno::Replay& replay = vidno::replay(trace);
+        vidno::say::Tally tally{};
+        for (const auto event : replay.names()) ++tally[event];
+        page.made += vidno::say::verdict(replay.header(), tally, {vidno::say::Comparison::Is(comparison), wrong},
+                                         vidno::Language(language));
     });
 }
 

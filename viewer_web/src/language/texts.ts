@@ -47,7 +47,6 @@ export type StripTexts = Texts['strip'];
 export type ZoomTexts = StripTexts['zoom'];
 export type TravelTexts = Texts['travel'];
 export type WordTexts = Texts['words'];
-export type VerdictTexts = Texts['verdict'];
 export type TourTexts = Texts['tour'];
 
 /** All texts of the chart of cost against error, in one language. */

@@ -18,6 +18,7 @@ interface Exports extends Basics {
   trace_note(trace: number, step: number, language: number): void;
   has_note(event: number): number;
   trace_decision(trace: number, step: number, language: number): void;
+  trace_verdict(trace: number, comparison: number, wrong: number, language: number): void;
   history_open(trace: number, x: number, y: number): number;
   history_close(history: number): void;
   history_read(history: number, until: number): void;

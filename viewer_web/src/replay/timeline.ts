@@ -9,6 +9,11 @@ import type { Division } from './screen.js';
 import { ValueReader } from './values.js';
 import type { Line, Values } from './values.js';
 
+/** How a run compares with exact arithmetic, in the library's order: the number of wrong pixels, or steps of curves. */
+export type Comparison =
+  { readonly is: 'unknown' | 'awaited' } | { readonly is: 'known'; readonly wrong: number };
+const comparisons = ['unknown', 'awaited', 'known'] as const satisfies readonly Comparison['is'][];
+
 /** The state after a step. */
 export interface State {
   readonly values: Values;
@@ -87,6 +92,14 @@ export class Timeline {
     engine().exports.trace_decision(this.trace, step, languages.indexOf(language));
     const made = engine().made();
     return made === '' ? null : (JSON.parse(made) as SaidDecision);
+  }
+
+  /** The verdict on the run at its end. */
+  verdict(comparison: Comparison, language: Language): string {
+    const wrong = comparison.is === 'known' ? comparison.wrong : 0;
+    const is = comparisons.indexOf(comparison.is);
+    engine().exports.trace_verdict(this.trace, is, wrong, languages.indexOf(language));
+    return engine().made();
   }
 
   /** The state after the first `step` events. */

@@ -27,7 +27,7 @@ import { scene } from './scene.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
-import { tour, verdict, words } from './words.js';
+import { tour, words } from './words.js';
 
 export const texts = {
   numbers: {
@@ -59,7 +59,6 @@ export const texts = {
   family,
   regions,
   words,
-  verdict,
   tour,
   outline,
   atlas,

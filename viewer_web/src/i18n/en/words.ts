@@ -1,9 +1,3 @@
-import { counted } from '../../language/words.js';
-import type { PluralForms } from '../../language/words.js';
-
-const rules = new Intl.PluralRules('en');
-const count = (n: number, forms: PluralForms): string => counted(n, forms, rules);
-
 export const words = {
   explain: 'What these words mean',
   editions: {
@@ -19,35 +13,9 @@ export const words = {
   },
 };
 
-export const verdict = {
-  /** Begins the result. */
-  finished: 'Finished',
-  welcome: 'Finished: where polygons overlap, the nearest is visible. Play to see how.',
-  pixels: (n: number): string => count(n, { one: 'pixel', other: 'pixels' }),
-  allRight: 'all as in exact arithmetic',
-  /** Replaces it where polygons share a colour, so that a right colour may be that of a wrong polygon. */
-  allColorsRight: 'all colours as in exact arithmetic',
-  someWrong: (n: number): string =>
-    `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
-  /** Replaces it for a text that is not the corrected one: its arithmetic may be right. */
-  someOther: (n: number): string =>
-    `${count(n, { one: 'differs', other: 'differ' })} from the correct picture`,
-  comparing: 'being compared with exact arithmetic…',
-  notCompared: 'not compared with exact arithmetic',
-  decisionsRight: 'every decision as in exact arithmetic',
-  /** Replaces it for a text that is not the corrected one: its picture may be wrong nevertheless. */
-  decisionsRightBut: 'every decision as in exact arithmetic, but this is not the corrected text',
-  /** The number of steps. */
-  decisionsWrong: (n: number): string =>
-    `wrong decisions at ${count(n, { one: 'step', other: 'steps' })}`,
-  windows: (n: number): string => count(n, { one: 'window', other: 'windows' }),
-  comparisons: (n: number): string =>
-    count(n, { one: 'depth comparison', other: 'depth comparisons' }),
-  regions: (n: number): string => count(n, { one: 'visible region', other: 'visible regions' }),
-  curves: (n: number): string => count(n, { one: 'curve', other: 'curves' }),
-};
-
 export const tour = {
+  /** The finished picture, for a first visitor; only if it is right. */
+  welcome: 'Finished: where polygons overlap, the nearest is visible. Play to see how.',
   /** What the page does, for a first visitor. */
   about:
     'vidno shows, step by step, how a program finds the surface that is visible at each pixel.',

@@ -18,7 +18,7 @@ import { scene } from './scene.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
-import { tour, verdict, words } from './words.js';
+import { tour, words } from './words.js';
 
 export const texts: Texts = {
   numbers,
@@ -40,7 +40,6 @@ export const texts: Texts = {
   family,
   regions,
   words,
-  verdict,
   tour,
   outline,
   atlas,

@@ -1,9 +1,4 @@
-import type { TourTexts, VerdictTexts, WordTexts } from '../../language/texts.js';
-import { counted } from '../../language/words.js';
-import type { PluralForms } from '../../language/words.js';
-
-const rules = new Intl.PluralRules('ru');
-const count = (n: number, forms: PluralForms): string => counted(n, forms, rules);
+import type { TourTexts, WordTexts } from '../../language/texts.js';
 
 export const words: WordTexts = {
   explain: 'Что значат эти слова',
@@ -20,37 +15,9 @@ export const words: WordTexts = {
   },
 };
 
-export const verdict: VerdictTexts = {
-  finished: 'Готово',
+export const tour: TourTexts = {
   welcome:
     'Готово: где многоугольники перекрываются, виден ближайший. Нажмите «Пуск», чтобы увидеть, как это получилось.',
-  pixels: (n) => count(n, { one: 'пиксель', few: 'пикселя', other: 'пикселей' }),
-  allRight: 'все как в точной арифметике',
-  someWrong: (n) => `не как в точной арифметике: ${n}`,
-  someOther: (n) => `не как в правильном изображении: ${n}`,
-  comparing: 'идёт сверка с точной арифметикой…',
-  allColorsRight: 'все цвета — как в точной арифметике',
-  notCompared: 'с точной арифметикой не сверено',
-  decisionsRight: 'все решения как в точной арифметике',
-  decisionsRightBut: 'все решения как в точной арифметике, но текст не исправлен',
-  decisionsWrong: (n) => `шагов с неверными решениями: ${n}`,
-  windows: (n) => count(n, { one: 'окно', few: 'окна', other: 'окон' }),
-  comparisons: (n) =>
-    count(n, {
-      one: 'сравнение глубин',
-      few: 'сравнения глубин',
-      other: 'сравнений глубин',
-    }),
-  regions: (n) =>
-    count(n, {
-      one: 'видимая область',
-      few: 'видимые области',
-      other: 'видимых областей',
-    }),
-  curves: (n) => count(n, { one: 'кривая', few: 'кривые', other: 'кривых' }),
-};
-
-export const tour: TourTexts = {
   about:
     'vidno показывает шаг за шагом, как программа находит поверхность, видимую в каждом пикселе.',
   offer: 'Впервые здесь? Обзор',
