@@ -70,6 +70,18 @@ TEST_CASE("Bounded: the exact result of a formula lies within the bound") {
     CHECK(inexact > 10000);
 }
 
+TEST_CASE("Bounded: the bound of a quotient holds where a part of it underflows") {
+    // The divisor is 2^-549 in doubles, exactly 2^-549 (1 + 2^-5). Its bound, 2^-552, times the quotient, 2^-525, is
+    // less than half of the least double.
+    const auto given = [](double value) { return Shadowed{Bounded(value), Rational(value)}; };
+    const Shadowed product = combine(2, given(0x1p-500 + 0x1p-527), given(1 + 0x1p-27));
+    const Shadowed divisor = combine(1, product, given(0x1p-500 + 0x1p-526 - 0x1p-549));
+    CHECK(divisor.bounded.value == 0x1p-549);
+    const Shadowed quotient = combine(3, given(0x1p-1074), divisor);
+    CHECK(std::isfinite(quotient.bounded.error));
+    CHECK(quotient.holds());
+}
+
 TEST_CASE("Bounded: division by a number that may be zero has no bound") {
     const Bounded tiny(1, 1);
     CHECK((Bounded(1) / tiny).error == std::numeric_limits<double>::infinity());

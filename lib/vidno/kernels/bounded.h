@@ -67,8 +67,9 @@ inline Bounded operator/(const Bounded& a, const Bounded& b) {
     const double value = a.value / b.value;
     const double least_divisor = std::abs(b.value) - b.error * (1 + Bounded::unit);
     if (!(least_divisor > 0)) return {value, std::numeric_limits<double>::infinity()};
-    return {value, (a.error + std::abs(value) * b.error) / least_divisor * (1 + 4 * Bounded::unit) +
-                       Bounded::unit * std::abs(value) + Bounded::underflow};
+    return {value,
+            (a.error + std::abs(value) * b.error + Bounded::underflow) / least_divisor * (1 + 4 * Bounded::unit) +
+                Bounded::unit * std::abs(value) + Bounded::underflow};
 }
 
 /// Whether the bounds exclude 0, so that the value has the sign of the exact one.
