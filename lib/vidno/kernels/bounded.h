@@ -1,8 +1,9 @@
 /// Given and Bounded: doubles with a bound on their error.
 ///
 /// A coordinate of the scene is Given: exact. A value computed from coordinates is Bounded: a double, and a bound on
-/// its distance from the exact result of the same formula. Each operation increases the bound by the rounding error it
-/// may add.
+/// its distance from the exact result of the same formula. Each operation increases the bound by twice the rounding
+/// error that it may add. So the distance is half of the bound, or a little more, since the bounds are rounded, too:
+/// after fewer than 2^43 operations in a row it is at most 0.51 of the bound. tests/bounds has the proof.
 #pragma once
 
 #include <cmath>
@@ -34,10 +35,12 @@ struct Bounded {
     double low() const { return is_exact() ? value : value - outward(); }
     double high() const { return is_exact() ? value : value + outward(); }
 
-    /// Twice the unit roundoff of binary64: the other half pays for the rounding of the bounds themselves.
+    /// Twice the unit roundoff of binary64. Its rounded product with a normal value is at least the value's ulp; a
+    /// subnormal sum is exact.
     static constexpr double unit = std::numeric_limits<double>::epsilon();
-    /// More than products and quotients lose by underflow.
-    static constexpr double underflow = 0x1p-1000;
+    /// More than products and quotients lose by underflow. It stays a normal number when it is divided by the distance
+    /// of any two pixels that areas may have: processors are slow at subnormal ones.
+    static constexpr double underflow = 0x1p-990;
 
     Bounded& operator+=(const Bounded& other) {
         value += other.value;
@@ -46,8 +49,8 @@ struct Bounded {
     }
 
 private:
-    /// A little more than the error, so that the rounded sum with the value still bounds the exact one.
-    double outward() const { return error * (1 + unit) + unit * std::abs(value); }
+    /// More than the error, so that the rounded sum with the value still bounds the exact one.
+    double outward() const { return error + unit * std::abs(value); }
 };
 
 inline Bounded operator-(const Bounded& a) { return {-a.value, a.error}; }
@@ -65,16 +68,13 @@ inline Bounded operator*(const Bounded& a, const Bounded& b) {
 /// Unknown where the divisor may be 0.
 inline Bounded operator/(const Bounded& a, const Bounded& b) {
     const double value = a.value / b.value;
-    const double least_divisor = std::abs(b.value) - b.error * (1 + Bounded::unit);
+    const double least_divisor = std::abs(b.value) - b.error;
     if (!(least_divisor > 0)) return {value, std::numeric_limits<double>::infinity()};
-    return {value,
-            (a.error + std::abs(value) * b.error + Bounded::underflow) / least_divisor * (1 + 4 * Bounded::unit) +
-                Bounded::unit * std::abs(value) + Bounded::underflow};
+    return {value, (a.error + std::abs(value) * b.error + Bounded::underflow) / least_divisor +
+                       Bounded::unit * std::abs(value) + Bounded::underflow};
 }
 
 /// Whether the bounds exclude 0, so that the value has the sign of the exact one.
-inline bool sign_is_certain(const Bounded& a) {
-    return std::abs(a.value) > a.error * (1 + Bounded::unit) && std::isfinite(a.value);
-}
+inline bool sign_is_certain(const Bounded& a) { return std::abs(a.value) > a.error && std::isfinite(a.value); }
 
 }  // namespace vidno

@@ -60,12 +60,12 @@ struct FilterBounds {
 
     /// The first pixel whose centre is after the value, if the value is certainly at no centre; the last one before it
     /// is the pixel to the left. Values off the area move to half a pixel from its outer centres. In the area,
-    /// distances are less than 2^15, so 2^-30 is far more than all roundoff here. A value that is not finite has no
-    /// finite error.
+    /// distances are less than 2^15, so that roundoff is hardly more than half of 2^-38. A value that is not finite has
+    /// no finite error.
     static std::optional<int> first_after(const Bounded& v, int low, int end) {
         const double distance = std::min(std::max(0.5, v.value - (low - 0.5)), end - low + 0.5);
         const int whole = int(distance);
-        const bool apart = std::abs(distance - whole - 0.5) + v.error < 0.5 - 0x1p-30;
+        const bool apart = std::abs(distance - whole - 0.5) + v.error < 0.5 - 0x1p-38;
         return apart ? std::optional(low + whole) : std::nullopt;
     }
     /// Certain if the centres on either side of the value lie outside its bounds; never if the bounds are unknown.

@@ -71,9 +71,10 @@ private:
         Bounded number(double given) const { return given; }
     };
 
+    /// CGAL rounds by at most an ulp.
     static Bounded rounded(const Rational& value) {
         const double near = CGAL::to_double(value);
-        return {near, Bounded::unit * std::abs(near) + Bounded::underflow};
+        return {near, 2 * Bounded::unit * std::abs(near) + Bounded::underflow};
     }
 
     void tell(FilterStage stage) const { PlaneDepths<FilteredPlane, Tally>::tell(stage); }

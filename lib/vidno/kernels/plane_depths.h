@@ -126,8 +126,9 @@ private:
     }
 
     /// If two depths of planes that fit cells differ by more than this as stored in cells, the exact depths differ the
-    /// same way. As a float, stepped by at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its
-    /// plane's error, a 16th of this.
+    /// same way. A depth within [-2, 2] is off by 12 roundoffs of 2^-24: 4 for the slope as a float and 4 for its
+    /// product with the steps, since they make at most 4, 2 for the depth where they begin and 2 for the sum. It is off
+    /// by twice its plane's error, too, which is less than a 16th of this.
     static constexpr float cell_error = 0x1p-18F;
 
     std::vector<Plane> planes_;  // by number
