@@ -29,17 +29,17 @@ public:
     }
     void push_list(Line at, const auto& pieces) {
         // The outside list is pushed before the inside one is examined; its pieces have already been reported.
-        if (at == Line::WA6) compare(pieces, rebuilt_->state.weiler_atherton().list_in_hand()->outside);
+        if (at == Line::WA6) compare(pieces, rebuilt_->state.weiler_atherton().current_list()->outside);
         Base::push_list(at, pieces);
         compare(pieces, rebuilt_->state.weiler_atherton().lists().back());
     }
     void pop_list(Line at, const auto& pieces) {
         Base::pop_list(at, pieces);
-        compare(pieces, rebuilt_->state.weiler_atherton().list_in_hand()->pieces);
+        compare(pieces, rebuilt_->state.weiler_atherton().current_list()->pieces);
     }
     void nearer_ones(Line at, const auto& pieces) {
         Base::nearer_ones(at, pieces);
-        compare(pieces, rebuilt_->state.weiler_atherton().list_in_hand()->inside);
+        compare(pieces, rebuilt_->state.weiler_atherton().current_list()->inside);
     }
 
 private:

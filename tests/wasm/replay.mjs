@@ -88,8 +88,8 @@ function zbuffer() {
 }
 
 function weilerAtherton() {
-  const { lists, inHand, facets, visible } = values.weilerAtherton;
-  const list = inHand && { pieces: inHand.pieces, inside: inHand.inside, outside: inHand.outside };
+  const { lists, currentList, facets, visible } = values.weilerAtherton;
+  const list = currentList && { pieces: currentList.pieces, inside: currentList.inside, outside: currentList.outside };
   return { lists, list, facets, visible };
 }
 

@@ -12,7 +12,7 @@ namespace vidno::figures {
 struct FigureWords {
     std::string_view step, start, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
-    std::string_view list_in_hand, vertices, behind_all, inside, outside, enters, leaves;
+    std::string_view current_list, vertices, behind_all, inside, outside, enters, leaves;
     std::string_view pixel, line, what, answer, painted;
     std::string_view empty, more, earlier, yes, no;
     std::string_view computed, right, wrong;
@@ -34,7 +34,7 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .active_edges = "Active edges (AEL)",
         .edge = "edge",
         .until = "until",
-        .list_in_hand = "List L, C first",
+        .current_list = "List L, C first",
         .vertices = "vertices",
         .behind_all = "behind all",
         .inside = "inside",
@@ -70,7 +70,7 @@ inline constexpr InEachLanguage<FigureWords> figure_words{
         .active_edges = "Активные рёбра (AEL)",
         .edge = "ребро",
         .until = "до",
-        .list_in_hand = "Список L, первый C",
+        .current_list = "Список L, первый C",
         .vertices = "вершины",
         .behind_all = "позади всех",
         .inside = "внутри",

@@ -44,11 +44,11 @@ Table active_polygons(const Moment& moment, const Style& style) {
         table.below.push_back(
             corner_depths(*state.warnock().last().corners, style.language, {Corner::left_top, Corner::right_top}));
     }
-    const auto in_hand = polygon_in_hand(moment);
+    const auto current = current_polygon(moment);
     for (const auto& [polygon, surrounds] : state.warnock().list(*state.warnock().current()).entries()) {
         const ScenePolygon& shown = moment.scene().polygons[std::size_t(polygon.index)];
         const auto nearer = moment.nearer_at().find(polygon.index);
-        if (in_hand == polygon.index) table.current = table.rows.size();
+        if (current == polygon.index) table.current = table.rows.size();
         table.rows.push_back({{shown.id, tinted(shown.color, style.greyscale)},
                               {std::string(surrounds ? words.yes : words.no)},
                               {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second, words)}});
@@ -57,7 +57,7 @@ Table active_polygons(const Moment& moment, const Style& style) {
 }
 
 /// The edge that the step is about.
-std::optional<int> edge_in_hand(const Moment& moment) {
+std::optional<int> current_edge(const Moment& moment) {
     std::optional<int> edge;
     if (!moment.event()) return edge;
     moment.event()->visit([&](const auto& e) {
@@ -83,12 +83,12 @@ Table active_edges(const Moment& moment, const Style& style, double width) {
     if (const auto p = state.z_buffer().polygon())
         table.note = "P = " + moment.scene().polygons[std::size_t(p->index)].id;
     if (const auto& y = state.z_buffer().last().y) table.note += ", yₜ = " + readable(*y, style.language);
-    const auto in_hand = edge_in_hand(moment);
+    const auto current = current_edge(moment);
     const auto cell = [&](const Value& value, std::size_t most) {
         return Table::Cell{readable(value, style.language, most)};
     };
     for (const auto& entry : state.z_buffer().active_edges()) {
-        if (in_hand == entry.edge) table.current = table.rows.size();
+        if (current == entry.edge) table.current = table.rows.size();
         table.rows.push_back({{std::to_string(entry.edge)},
                               cell(entry.x, room),
                               cell(entry.z, room),

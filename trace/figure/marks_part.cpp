@@ -68,9 +68,9 @@ public:
         pixels({e.first, moment_.state().z_buffer().last().row.value_or(0), e.end - e.first, 1}, dashed);
     }
     void operator()(const event::Edge& e) { line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false); }
-    void operator()(const event::Horizontal& e) { edge_in_hand(e.edge); }
-    void operator()(const event::AelAdd& e) { edge_in_hand(e.edge); }
-    void operator()(const event::AelStep& e) { edge_in_hand(e.edge); }
+    void operator()(const event::Horizontal& e) { current_edge(e.edge); }
+    void operator()(const event::AelAdd& e) { current_edge(e.edge); }
+    void operator()(const event::AelStep& e) { current_edge(e.edge); }
     void operator()(const event::CutToArea& e) { region(e.region); }
     void operator()(const event::PushList& e) {
         for (const auto& piece : e.pieces) region(piece.region, dashed);
@@ -113,7 +113,7 @@ private:
     void on_row(int row, const Value& left, const Value& right) {
         line({at(left, row + 0.5), at(right, row + 0.5)}, false);
     }
-    void edge_in_hand(int number) {
+    void current_edge(int number) {
         const auto polygon = moment_.state().z_buffer().polygon();
         if (polygon) edge(moment_.scene().polygons[std::size_t(polygon->index)], number);
     }

@@ -75,7 +75,7 @@ private:
 };
 
 /// The index of the polygon that the step is about, or of the current one; none if there is no such polygon.
-inline std::optional<int> polygon_in_hand(const Moment& moment) {
+inline std::optional<int> current_polygon(const Moment& moment) {
     std::optional<int> place;
     if (const auto polygon = moment.state().z_buffer().polygon()) place = polygon->index;
     if (!moment.event()) return place;

@@ -157,14 +157,14 @@ std::vector<Polyline> drawn_outline(const ScenePolygon& polygon, const EdgesOfFa
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     const auto& polygons = moment.scene().polygons;
     const EdgesOfFaces edges(moment.scene());
-    const auto in_hand = polygon_in_hand(moment);
+    const auto current = current_polygon(moment);
     const double usual = polygons.size() > most_outlines ? Stroke::hairline : 0.6;
     const auto draw = [&](const ScenePolygon& polygon, double width) {
         const Stroke stroke{deep(polygon.color, style.greyscale), width};
         to.add(Path{drawn_outline(polygon, edges, plane), false, {}, stroke});
     };
     for (const auto& polygon : polygons) draw(polygon, usual);
-    if (in_hand) draw(polygons[std::size_t(*in_hand)], 1);
+    if (current) draw(polygons[std::size_t(*current)], 1);
 }
 
 void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style) {

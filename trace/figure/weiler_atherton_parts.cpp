@@ -99,27 +99,27 @@ void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Sty
     for (const auto& list : state.lists()) {
         for (const auto& part : list) outline(*part, 0.4, {0.8, 1.4});
     }
-    const auto& in_hand = state.list_in_hand();
-    if (!in_hand) return;
-    for (const auto& part : in_hand->outside) outline(*part, 0.8, {3, 1.5});
-    for (const auto& part : in_hand->inside) outline(*part, 0.8, {});
-    add_rimmed(to, Path{loops_of(in_hand->pieces.front()->region, plane), true, {}, Stroke{ink, 1}});
+    const auto& current = state.current_list();
+    if (!current) return;
+    for (const auto& part : current->outside) outline(*part, 0.8, {3, 1.5});
+    for (const auto& part : current->inside) outline(*part, 0.8, {});
+    add_rimmed(to, Path{loops_of(current->pieces.front()->region, plane), true, {}, Stroke{ink, 1}});
 }
 
 Drawing region_list(const Moment& moment, const Style& style, double width) {
     const auto& words = words_of(style.language);
     const WeilerAthertonState& state = moment.state().weiler_atherton();
-    Table table{.title = std::string(words.list_in_hand),
+    Table table{.title = std::string(words.current_list),
                 .columns = {{"P", 0.4},
                             {std::string(words.vertices), 0.3, Anchor::end},
                             {std::string(words.behind_all), 0.3, Anchor::end}}};
     const std::string stack = std::string(words.stack) + ": " + std::to_string(state.lists().size());
-    const auto& in_hand = state.list_in_hand();
-    if (!in_hand) {
+    const auto& current = state.current_list();
+    if (!current) {
         table.below = {std::string(words.empty), stack};
         return drawn(table, width, style.letters);
     }
-    for (const auto& piece : in_hand->pieces) {
+    for (const auto& piece : current->pieces) {
         const auto& [polygon, region, ground] = *piece;
         std::size_t vertices = 0;
         for (const auto& loop : region) vertices += loop.size();
@@ -129,8 +129,8 @@ Drawing region_list(const Moment& moment, const Style& style, double width) {
                               {std::string(ground ? words.yes : words.no)}});
     }
     table.current = 0;  // the clip polygon
-    table.below = {std::string(words.inside) + ": " + names_of(in_hand->inside, moment.scene()),
-                   std::string(words.outside) + ": " + names_of(in_hand->outside, moment.scene()), stack};
+    table.below = {std::string(words.inside) + ": " + names_of(current->inside, moment.scene()),
+                   std::string(words.outside) + ": " + names_of(current->outside, moment.scene()), stack};
     shorten(table, words);
     Drawing drawing = drawn(table, width, style.letters);
     if (!moment.entering().empty()) add_points_legend(drawing, style);

@@ -58,7 +58,7 @@ void WorkedRun::hear(const event::Box& e) {
 void WorkedRun::hear(const event::PopList&) {
     auto& list = lists_.emplace_back();
     list.step = end_.state().step();
-    for (const auto& piece : end_.state().weiler_atherton().list_in_hand()->pieces) {
+    for (const auto& piece : end_.state().weiler_atherton().current_list()->pieces) {
         list.polygons.push_back(piece->polygon.index);
     }
 }

@@ -73,7 +73,7 @@ void WeilerAthertonJudge::judge(const event::PushList& e) const {
 }
 
 void WeilerAthertonJudge::judge(const event::Beside& e) const {
-    const auto& list = state().weiler_atherton().list_in_hand();
+    const auto& list = state().weiler_atherton().current_list();
     if (!list || std::size_t(list->seen) >= list->pieces.size()) return;
     const auto &piece = *list->pieces[std::size_t(list->seen)], &clip = *list->pieces.front();
     const double common = truth().common_area(piece.region, clip.region);
@@ -107,7 +107,7 @@ void WeilerAthertonJudge::judge(const event::Clipped& e) const {
 
 /// The parts of the next piece of the current list must be all of it inside, and all of it outside, of the clip piece.
 void WeilerAthertonJudge::judge_parts(const event::Clipped& e) const {
-    const auto& list = state().weiler_atherton().list_in_hand();
+    const auto& list = state().weiler_atherton().current_list();
     if (!list || std::size_t(list->seen) >= list->pieces.size()) return;
     const auto &piece = *list->pieces[std::size_t(list->seen)], &clip = *list->pieces.front();
     if (piece.polygon != e.polygon || clip.polygon != e.clip) return;

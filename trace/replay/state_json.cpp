@@ -143,13 +143,13 @@ private:
         out_ += "{\"lists\":";
         list(state_.weiler_atherton().lists(), [this](const auto& pieces) { parts(pieces); });
         out_ += ",\"list\":";
-        optional(state_.weiler_atherton().list_in_hand(), [this](const WeilerAthertonState::ListInHand& in_hand) {
+        optional(state_.weiler_atherton().current_list(), [this](const WeilerAthertonState::CurrentList& current) {
             out_ += "{\"pieces\":";
-            parts(in_hand.pieces);
+            parts(current.pieces);
             out_ += ",\"inside\":";
-            parts(in_hand.inside);
+            parts(current.inside);
             out_ += ",\"outside\":";
-            parts(in_hand.outside);
+            parts(current.outside);
             out_ += '}';
         });
         out_ += ",\"facets\":";

@@ -26,17 +26,17 @@ void WeilerAthertonState::take(const event::PopList& e, Screen&) {
     if (top.empty() || top.front()->polygon != e.clip || int(top.size()) != e.count) {
         throw Impossible{"not the list on top of the stack"};
     }
-    list_in_hand_ = ListInHand{std::move(top), 1, {}, {}, {}};
+    current_list_ = CurrentList{std::move(top), 1, {}, {}, {}};
     lists_.pop_back();
 }
 
-WeilerAthertonState::ListInHand& WeilerAthertonState::list_to_change() {
-    if (!list_in_hand_) throw Impossible{"no current list"};
-    return *list_in_hand_;
+WeilerAthertonState::CurrentList& WeilerAthertonState::list_to_change() {
+    if (!current_list_) throw Impossible{"no current list"};
+    return *current_list_;
 }
 
 /// The next piece of the current list, which must be one of this polygon.
-const WeilerAthertonState::Piece& WeilerAthertonState::next_piece(ListInHand& list, PolygonPlace polygon) const {
+const WeilerAthertonState::Piece& WeilerAthertonState::next_piece(CurrentList& list, PolygonPlace polygon) const {
     const auto next = std::size_t(list.seen);
     if (next >= list.pieces.size() || list.pieces[next]->polygon != polygon) {
         throw Impossible{"not the next polygon of the current list"};
@@ -46,7 +46,7 @@ const WeilerAthertonState::Piece& WeilerAthertonState::next_piece(ListInHand& li
 }
 
 void WeilerAthertonState::take(const event::Beside& e, Screen&) {
-    ListInHand& list = list_to_change();
+    CurrentList& list = list_to_change();
     list.outside.push_back(next_piece(list, e.polygon));
 }
 
@@ -54,7 +54,7 @@ void WeilerAthertonState::take(const event::Clipped& e, Screen&) {
     piercing_.reset();
     crossings_ = {};
     if (e.at != Line::WA5) return;  // otherwise SplitPiercing examines the common part of two polygons
-    ListInHand& list = list_to_change();
+    CurrentList& list = list_to_change();
     const bool ground = next_piece(list, e.polygon)->ground;
     if (!e.inside.empty()) list.inside.push_back(shared({e.polygon, e.inside, ground}));
     if (!e.outside.empty()) list.outside.push_back(shared({e.polygon, e.outside, ground}));

@@ -18,12 +18,12 @@ public:
     using Pieces = std::vector<Piece>;
 
     /// WA4: the current list, taken from the stack.
-    struct ListInHand {
+    struct CurrentList {
         Pieces pieces;             // the first is the clip polygon
         int seen = 1;              // how many were processed so far, the clip polygon included
         Pieces inside, outside;    // of its outline, from level `polygons`
         std::vector<bool> behind;  // for the parts inside that are not ground, in order
-        bool operator==(const ListInHand&) const = default;
+        bool operator==(const CurrentList&) const = default;
         static void fields(auto& list, auto&& field) {
             field("pieces", list.pieces);
             field("seen", list.seen);
@@ -45,7 +45,7 @@ public:
     explicit WeilerAthertonState(const TraceHeader&) {}
 
     const std::vector<Pieces>& lists() const { return lists_; }  // the stack, bottom first
-    const std::optional<ListInHand>& list_in_hand() const { return list_in_hand_; }
+    const std::optional<CurrentList>& current_list() const { return current_list_; }
     const Pieces& facets() const { return facets_; }
     const Pieces& visible() const { return visible_; }
     const Crossings& crossings() const { return crossings_; }
@@ -55,7 +55,7 @@ public:
     /// The names that the page uses.
     static void fields(auto& state, auto&& field) {
         field("lists", state.lists_);
-        field("inHand", state.list_in_hand_);
+        field("currentList", state.current_list_);
         field("facets", state.facets_);
         field("visible", state.visible_);
         field("crossings", state.crossings_);
@@ -80,11 +80,11 @@ public:
 private:
     static Piece shared(PolygonPart part) { return std::make_shared<const PolygonPart>(std::move(part)); }
     static Pieces shared(const std::vector<PolygonPart>& parts);
-    ListInHand& list_to_change();
-    const Piece& next_piece(ListInHand& list, PolygonPlace polygon) const;
+    CurrentList& list_to_change();
+    const Piece& next_piece(CurrentList& list, PolygonPlace polygon) const;
 
     std::vector<Pieces> lists_;
-    std::optional<ListInHand> list_in_hand_;
+    std::optional<CurrentList> current_list_;
     Pieces facets_, visible_;
     Crossings crossings_;
     std::optional<Event> piercing_;

@@ -151,7 +151,7 @@ struct RegionJudge {
     }
 
 private:
-    const std::optional<WeilerAthertonState::ListInHand>& list() const { return after.list_in_hand(); }
+    const std::optional<WeilerAthertonState::CurrentList>& list() const { return after.current_list(); }
 
     /// Whether the region contains the pixel's centre; one on the outline may count as either. Doubles are accurate
     /// enough to show.
@@ -340,7 +340,7 @@ Heading PixelWatch::heading(const EventView& event) const {
     // Once regions are painted no list is current.
     if (const auto* paint = event.get_if<event::Paint>()) return paint->polygon;
     if (const auto* order = event.get_if<event::Order>()) return order->polygon;
-    const auto& list = regions_->weiler_atherton().list_in_hand();
+    const auto& list = regions_->weiler_atherton().current_list();
     return list ? Heading(list->pieces[0]->polygon) : Heading();
 }
 

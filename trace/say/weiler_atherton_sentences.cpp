@@ -112,7 +112,7 @@ struct WeilerAthertonSentences : PolygonWords {
     // Inside and outside of the clip polygon
 
     Said operator()(const event::Beside& e) const {
-        const auto& list = in_hand();
+        const auto& list = current_list();
         const auto seen = list ? std::size_t(list->seen) : 0;
         if (!list || seen < 1 || list->pieces.size() < seen)
             return say("{} lies outside.", "{} лежит снаружи.", e.polygon);
@@ -173,8 +173,8 @@ struct WeilerAthertonSentences : PolygonWords {
                               "{}: {}больше, поэтому {} ближе, здесь и на всей части.", where, is, e.polygon);
     }
     Said operator()(const event::NearerOnes& e) const {
-        const Said clip = in_hand() ? word(in_hand()->pieces[0]->polygon)
-                                    : Said(in({"the clip polygon", "отсекающего многоугольника"}));
+        const Said clip = current_list() ? word(current_list()->pieces[0]->polygon)
+                                         : Said(in({"the clip polygon", "отсекающего многоугольника"}));
         if (e.polygons.empty()) {
             return say("Nothing inside is nearer than {}: the rest inside is dropped.",
                        "Внутри нет ничего ближе {}: остальное внутри отбрасывается.", clip);
@@ -258,8 +258,8 @@ struct WeilerAthertonSentences : PolygonWords {
         return region.empty() ? "∅" : "|" + std::to_string(vertices_of(region)) + "|";
     }
 
-    const std::optional<WeilerAthertonState::ListInHand>& in_hand() const {
-        return after().weiler_atherton().list_in_hand();
+    const std::optional<WeilerAthertonState::CurrentList>& current_list() const {
+        return after().weiler_atherton().current_list();
     }
     static Bilingual lies(Lies where) {
         switch (where) {

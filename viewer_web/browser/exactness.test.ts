@@ -92,8 +92,8 @@ describe('the right answer', () => {
     const [wrong = 0] = await wrongOnes(page);
     for (const step of [wrong - 1, wrong]) {
       await goTo(page, step);
-      await expect.poll(() => panel(page, 'dd.computed').textContent()).toBe('negative');
-      expect(await panel(page, 'dd.exact').textContent()).toBe('positive');
+      await expect.poll(() => panel(page, 'dd.words').first().textContent()).toBe('negative');
+      expect(await panel(page, 'dd.words').nth(1).textContent()).toBe('positive');
       await panel(page, '.wrong').getByText('This operation rounded').waitFor();
       await panel(page, 'h3').getByText('(4.5, 6.5)').waitFor();
     }

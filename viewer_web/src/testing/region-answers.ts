@@ -47,7 +47,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     expect(right['depth']).toEqual([depths[numbers.indexOf(Math.max(...numbers))]]);
   },
   parted: ({ question, after, right }) => {
-    const { inside = [], outside = [] } = after.weilerAtherton?.inHand ?? {};
+    const { inside = [], outside = [] } = after.weilerAtherton?.currentList ?? {};
     expect(sorted(right['within'])).toEqual(idsOf(inside));
     expect(sorted(right['beyond'])).toEqual(idsOf(outside));
     for (const { value } of givenOf(question, 'outlines')) {
@@ -56,7 +56,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     }
   },
   entering: ({ trace, question, before, right }) => {
-    const clip = before.weilerAtherton?.inHand?.pieces[0]?.[1] ?? [];
+    const clip = before.weilerAtherton?.currentList?.pieces[0]?.[1] ?? [];
     const pieces = stepsOf(trace, question.step, question.until, 'edge_piece');
     for (const { event } of pieces) {
       const last = pieces.find((each) => point(each.event.to) === point(event.from))?.event;
@@ -73,15 +73,16 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     const walked = [question.about.from, ...(right['walked'] ?? [])].map((number) =>
       points.find(({ value }) => value === number)?.note?.(texts.en),
     );
-    const [, region = []] = after.weilerAtherton?.inHand?.inside.at(-1) ?? [];
+    const [, region = []] = after.weilerAtherton?.currentList?.inside.at(-1) ?? [];
     const loops = region
       .map((loop) => loop.map(point))
       .filter((each) => each.length === walked.length);
     expect(loops.map((loop) => [...loop, ...loop].join()).join('; ')).toContain(walked.join());
   },
   behind: ({ trace, question, before, after, right }) => {
-    const inside = before.weilerAtherton?.inHand?.inside.filter(([, , ground]) => !ground) ?? [];
-    const left = after.weilerAtherton?.inHand?.inside.map(([id]) => id) ?? [];
+    const inside =
+      before.weilerAtherton?.currentList?.inside.filter(([, , ground]) => !ground) ?? [];
+    const left = after.weilerAtherton?.currentList?.inside.map(([id]) => id) ?? [];
     const gone = inside.map(([id]) => id).filter((id) => !left.includes(id));
     expect(sorted(right['hidden'])).toEqual(sorted(gone));
     // A clip polygon that no inside part hides is visible at the next step.
@@ -89,7 +90,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     expect(right['next']).toEqual([isShown ? 'visible' : 'again']);
   },
   stack: ({ after, right }) => {
-    const { pieces = [] } = after.weilerAtherton?.inHand ?? {};
+    const { pieces = [] } = after.weilerAtherton?.currentList ?? {};
     expect(right['clips']).toEqual([pieces[0]?.[0]]);
     expect(sorted(right['listed'])).toEqual(idsOf(pieces));
   },

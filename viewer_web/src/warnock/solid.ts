@@ -77,7 +77,7 @@ interface PointDepth {
 }
 
 /** The point whose colour PointColor determines: the middle of the window. */
-function pointInHand({ event, after }: View): readonly [number, number] | null {
+function testedPoint({ event, after }: View): readonly [number, number] | null {
   const runs = after.calls.some(({ of }) => of === 'PointColor') || event?.e === 'color';
   const window = after.warnock?.window;
   if (!runs || !window) return null;
@@ -86,7 +86,7 @@ function pointInHand({ event, after }: View): readonly [number, number] | null {
 
 /** The polygons of the list that contain the point, in the order of the list. */
 function depthsAtPoint(view: View): readonly PointDepth[] {
-  const at = pointInHand(view);
+  const at = testedPoint(view);
   const { warnock } = view.after;
   if (at === null || warnock === undefined) return [];
   const { nearest } = warnock;
@@ -95,7 +95,7 @@ function depthsAtPoint(view: View): readonly PointDepth[] {
     if (polygon === undefined || !holds(polygon, ...at)) return [];
     if (nearest?.polygon === id)
       return [{ polygon: id, z: nearest.z, isReported: true, role: 'yes' }];
-    const z = depthInHand(view, id);
+    const z = testedDepth(view, id);
     if (z === null) {
       return [{ polygon: id, z: planeOf(polygon)(...at), isReported: false, role: 'window' }];
     }
@@ -105,7 +105,7 @@ function depthsAtPoint(view: View): readonly PointDepth[] {
   });
 }
 
-function depthInHand({ event }: View, id: string): N | null {
+function testedDepth({ event }: View, id: string): N | null {
   return (event?.e === 'depth' || event?.e === 'compare') && event.polygon === id ? event.z : null;
 }
 
@@ -114,7 +114,7 @@ export function drawing(view: View, space: Space): Drawing {
   const { warnock } = view.after;
   if (warnock === undefined) return noDrawing;
   const { stack, window, clip } = warnock;
-  const isAtPoint = pointInHand(view) !== null;
+  const isAtPoint = testedPoint(view) !== null;
   return together(
     activeDrawing(currentPolygon(view)),
     { lines: stack.flatMap((each) => cased('stacked', level(each.window, space.far))) },
@@ -200,7 +200,7 @@ function cornerLabels(
 
 /** The line through the point, and its intersections with polygons. */
 function pointDrawing(view: View, space: Space): Partial<Drawing> {
-  const at = pointInHand(view);
+  const at = testedPoint(view);
   if (at === null) return noDrawing;
   const depths = depthsAtPoint(view);
   const { short } = numbersOf(view);
@@ -222,7 +222,7 @@ export function caption(view: View, texts: SolidTexts): readonly string[] {
   if (window === null) return [];
   return [
     texts.window(numbersOf(view).windowText(window)),
-    ...(pointInHand(view) === null ? cornerWords(view, texts) : pointWords(view, texts)),
+    ...(testedPoint(view) === null ? cornerWords(view, texts) : pointWords(view, texts)),
     ...(clip === null ? [] : [texts.clip]),
   ];
 }
@@ -242,7 +242,7 @@ function cornerWords(view: View, texts: SolidTexts): readonly string[] {
 }
 
 function pointWords(view: View, texts: SolidTexts): readonly string[] {
-  const at = pointInHand(view) ?? [];
+  const at = testedPoint(view) ?? [];
   const { joined, point, short } = numbersOf(view);
   const depths = depthsAtPoint(view).map(({ polygon, z, isReported }) =>
     isReported ? `${polygon} ${short(z)}` : polygon,

@@ -42,7 +42,7 @@ function clippingAt(trace: Trace, step: number): Clipping | null {
   const call = eventAt(trace, step, 'call');
   if (call?.of !== 'RegionClip' || call.at !== 'WA5') return null;
   const result = nextOf(trace, step, 'clipped', 'pop_list');
-  const clip = trace.timeline.seek(step).values.weilerAtherton?.inHand?.pieces[0];
+  const clip = trace.timeline.seek(step).values.weilerAtherton?.currentList?.pieces[0];
   if (result === null || clip === undefined) return null;
   const outline = stepsOf(trace, step, result.step, 'edge_piece').map(({ event }) => event);
   return { clip, outline, result };
@@ -159,7 +159,8 @@ export const parted: Asker<'parted'> = {
   at: ['pop_list'],
   ask(trace, step) {
     const end = nextOf(trace, step, 'nearer_ones', 'pop_list');
-    const [clip, ...others] = trace.timeline.seek(step).values.weilerAtherton?.inHand?.pieces ?? [];
+    const [clip, ...others] =
+      trace.timeline.seek(step).values.weilerAtherton?.currentList?.pieces ?? [];
     if (end === null || clip === undefined) return null;
     const clipped = stepsOf(trace, step, end.step, 'clipped');
     const beside = stepsOf(trace, step, end.step, 'beside');
@@ -308,10 +309,10 @@ export const behind: Asker<'behind'> = {
   ask(trace, step) {
     if (eventAt(trace, step, 'call')?.of !== 'RemoveBehind') return null;
     const result = nextOf(trace, step, 'nearer_ones', 'pop_list');
-    const { inHand = null } = trace.timeline.seek(step).values.weilerAtherton ?? {};
-    const clip = inHand?.pieces[0];
-    if (result === null || inHand === null || clip === undefined) return null;
-    const parts = inHand.inside.filter(([, , ground]) => !ground);
+    const { currentList = null } = trace.timeline.seek(step).values.weilerAtherton ?? {};
+    const clip = currentList?.pieces[0];
+    if (result === null || currentList === null || clip === undefined) return null;
+    const parts = currentList.inside.filter(([, , ground]) => !ground);
     const ids = new Set(parts.map(([id]) => id));
     const areNumbers = parts.every(([, region]) => region.flat(2).every(isNumber));
     if (parts.length === 0 || ids.size < parts.length || !areNumbers) return null;
@@ -358,10 +359,11 @@ export const stack: Asker<'stack'> = {
   ask(trace, step) {
     const nearer = eventAt(trace, step, 'nearer_ones');
     const pop = nextOf(trace, step, 'pop_list');
-    const { lists = [], inHand = null } = trace.timeline.seek(step).values.weilerAtherton ?? {};
-    const clip = inHand?.pieces[0];
-    if (nearer === null || pop === null || inHand === null || clip === undefined) return null;
-    const ids = ownersOf([...inHand.inside, clip, ...lists.flat()]);
+    const { lists = [], currentList = null } =
+      trace.timeline.seek(step).values.weilerAtherton ?? {};
+    const clip = currentList?.pieces[0];
+    if (nearer === null || pop === null || currentList === null || clip === undefined) return null;
+    const ids = ownersOf([...currentList.inside, clip, ...lists.flat()]);
     if (nearer.polygons.length === 0 && lists.length < 2) return null;
     if (ids.length < 2 || ids.length > mostOptions) return null;
     const pushed = stepsOf(trace, step, pop.step, 'push_list');
@@ -408,7 +410,8 @@ export const painted: Asker<'painted'> = {
 };
 
 /** The current list, or before the first one the pieces to sort. */
-const piecesOf = ({ inHand, facets }: WeilerAtherton): readonly Piece[] => inHand?.pieces ?? facets;
+const piecesOf = ({ currentList, facets }: WeilerAtherton): readonly Piece[] =>
+  currentList?.pieces ?? facets;
 
 /** The pieces with their outlines in walking order, and the polygons of the other lists from the top of the stack. */
 export function facts({ after, texts: page, language }: View): readonly Fact[] {
@@ -423,7 +426,7 @@ export function facts({ after, texts: page, language }: View): readonly Fact[] {
   const others = pieces.length > mostOptions ? [page.more(pieces.length - mostOptions)] : [];
   const lists = [...now.lists].reverse().map((list) => list.map(([id]) => id).join(', '));
   return [
-    [now.inHand === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
+    [now.currentList === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
     [say.lists, lists.join('; ') || '∅'],
   ];
 }

@@ -14,8 +14,8 @@ import type { RegionTexts } from '../language/texts.js';
 import type { WeilerAtherton } from '../replay/values.js';
 import type { Piece, Region } from '../trace/values.js';
 import { areaOf, verticesOf } from './geometry.js';
-import { emptyWeilerAtherton, isPainting, listInHand } from './state.js';
-import type { List, ListInHand } from './state.js';
+import { emptyWeilerAtherton, isPainting, currentListOf } from './state.js';
+import type { List, CurrentList } from './state.js';
 
 const regionsPanelStyle = css`
   .values.found {
@@ -35,7 +35,7 @@ const regionsPanelStyle = css`
   .list.short {
     height: 4.9rem;
   }
-  .list.hand {
+  .list.current {
     height: 6.6rem;
   }
   .list.visible {
@@ -92,35 +92,35 @@ export class RegionsPanel extends LitElement {
     return this.view.before.weilerAtherton ?? emptyWeilerAtherton;
   }
 
-  private get hand(): ListInHand | null {
-    return listInHand(this.view);
+  private get current(): CurrentList | null {
+    return currentListOf(this.view);
   }
 
   /** The list before the step; null once regions are painted. */
-  private get oldHand(): ListInHand | null {
-    return isPainting(this.view) ? null : this.old.inHand;
+  private get previous(): CurrentList | null {
+    return isPainting(this.view) ? null : this.old.currentList;
   }
 
   override render(): TemplateResult {
-    const { say, hand, oldHand } = this;
-    return html`${this.found()} ${this.inHand()}
+    const { say, current, previous } = this;
+    return html`${this.found()} ${this.currentList()}
       <section class="lists two" data-part="parts">
-        ${this.parts(say.inside, hand?.inside ?? [], oldHand?.inside ?? [], true)}
-        ${this.parts(say.outside, hand?.outside ?? [], oldHand?.outside ?? [], false)}
+        ${this.parts(say.inside, current?.inside ?? [], previous?.inside ?? [], true)}
+        ${this.parts(say.outside, current?.outside ?? [], previous?.outside ?? [], false)}
       </section>
       ${this.visible()} ${this.stack()}`;
   }
 
   private found(): TemplateResult {
-    const { say, now, old, hand, oldHand } = this;
+    const { say, now, old, current, previous } = this;
     const { texts: page } = this.view;
-    const clip = hand?.pieces[0]?.[0];
+    const clip = current?.pieces[0]?.[0];
     return html`<section class="sizes" data-part="list">
       <dl class="values found">
         ${value(
           `C, ${say.clip}`,
           clip === undefined ? page.none : polygonName(clip, this.view),
-          hand?.pieces !== oldHand?.pieces,
+          current?.pieces !== previous?.pieces,
         )}
         ${value(say.lists, now.lists.length, now.lists.length !== old.lists.length)}
         ${value(say.shown, now.visible.length, now.visible !== old.visible)}
@@ -129,25 +129,25 @@ export class RegionsPanel extends LitElement {
   }
 
   /** The list that was popped from the stack, or before the first one the list to sort. */
-  private inHand(): TemplateResult {
-    const { say, now, hand, oldHand } = this;
-    const title = now.inHand === null ? say.pieces : say.list;
-    const pieces = hand?.pieces ?? (now.inHand === null ? now.facets : []);
-    const isOther = hand?.seen !== oldHand?.seen;
+  private currentList(): TemplateResult {
+    const { say, now, current, previous } = this;
+    const title = now.currentList === null ? say.pieces : say.list;
+    const pieces = current?.pieces ?? (now.currentList === null ? now.facets : []);
+    const isOther = current?.seen !== previous?.seen;
     const row = (piece: Piece, i: number): TemplateResult =>
-      this.row(piece, this.roleOf(i), isOther && i + 1 === hand?.seen);
+      this.row(piece, this.roleOf(i), isOther && i + 1 === current?.seen);
     return html`<section data-part="list">
       <h3>${title}</h3>
-      ${listOf(title, 'hand', pieces, row, this.view)}
+      ${listOf(title, 'current', pieces, row, this.view)}
     </section>`;
   }
 
   /** The result for a piece of the current list. */
   private roleOf(index: number): string {
-    const { say, hand } = this;
-    if (hand === null) return '';
+    const { say, current } = this;
+    if (current === null) return '';
     if (index === 0) return `C, ${say.clip}`;
-    return index < hand.seen ? '✓' : '';
+    return index < current.seen ? '✓' : '';
   }
 
   private parts(title: string, now: List, old: List, isInside: boolean): TemplateResult {
@@ -162,10 +162,10 @@ export class RegionsPanel extends LitElement {
 
   /** The order of an inside part relative to the clip polygon, if it is known. */
   private orderOf(inside: List, index: number): string {
-    const { say, hand } = this;
+    const { say, current } = this;
     if (inside[index]?.[2] === true) return '';
     const place = inside.slice(0, index).filter(([, , ground]) => !ground).length;
-    const behind = hand?.behind[place];
+    const behind = current?.behind[place];
     if (behind === undefined) return '';
     return behind ? say.behind : say.nearer;
   }

@@ -12,7 +12,7 @@ import type { Area, Scene } from '../trace/header.js';
 import type { Piece, Point, Region } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
 import { hatchData, regionData } from './geometry.js';
-import { emptyWeilerAtherton, listInHand } from './state.js';
+import { emptyWeilerAtherton, currentListOf } from './state.js';
 import type { Crossings, List } from './state.js';
 
 /** The layers in the picture of a run with regions, each with a switch. */
@@ -36,16 +36,17 @@ const casing = (look: string, d: string): readonly Shape[] => [
 ];
 
 /** Whether there is a list. Before that, the polygons themselves are drawn. */
-const isBegun = ({ lists, inHand }: WeilerAtherton): boolean => lists.length > 0 || inHand !== null;
+const isBegun = ({ lists, currentList }: WeilerAtherton): boolean =>
+  lists.length > 0 || currentList !== null;
 
 /** The piece that is being processed, or that the step has divided into inside and outside. */
 function subjectOf(view: View): Piece | undefined {
   const { event } = view;
-  const inHand = listInHand(view);
-  if (inHand === null) return undefined;
+  const currentList = currentListOf(view);
+  if (currentList === null) return undefined;
   const isDone = event?.e === 'clipped' || event?.e === 'beside';
   const isOver = event !== null && !isDone && !inClip.includes(event.e);
-  return isOver ? undefined : inHand.pieces[inHand.seen - (isDone ? 1 : 0)];
+  return isOver ? undefined : currentList.pieces[currentList.seen - (isDone ? 1 : 0)];
 }
 const inClip: readonly EventName[] = ['call', 'edge_piece', 'entering', 'leaving', 'pop_list'];
 
@@ -83,11 +84,11 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
   list: (view) => {
     const regions = view.after.weilerAtherton ?? emptyWeilerAtherton;
     if (!isBegun(regions)) return [{ look: 'facet', d: outlines(regions.facets) }];
-    const inHand = listInHand(view);
-    const clip = inHand?.pieces[0];
+    const currentList = currentListOf(view);
+    const clip = currentList?.pieces[0];
     const subject = subjectOf(view);
     return [
-      { look: 'listed', d: outlines(inHand?.pieces.slice(1) ?? []) },
+      { look: 'listed', d: outlines(currentList?.pieces.slice(1) ?? []) },
       ...(clip === undefined ? [] : casing('clip-region', regionData(clip[1]))),
       ...(subject === undefined ? [] : casing('subject', regionData(subject[1]))),
     ];
@@ -97,11 +98,11 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
     if (event?.e === 'clipped' && event.at === 'SP1') {
       return partShapes('inside', [event.inside], frame);
     }
-    const inHand = listInHand(view);
+    const currentList = currentListOf(view);
     const regionsOf = (list: List = []): readonly Region[] => list.map(([, region]) => region);
     return [
-      ...partShapes('outside', regionsOf(inHand?.outside), frame),
-      ...partShapes('inside', regionsOf(inHand?.inside), frame),
+      ...partShapes('outside', regionsOf(currentList?.outside), frame),
+      ...partShapes('inside', regionsOf(currentList?.inside), frame),
     ];
   },
   crossings: (view, { scale }) => {

@@ -5,7 +5,7 @@ import { headerOf, keptOf, textOf, textWith, traceOf } from '../testing/traces.j
 import type { Event } from '../trace/events.js';
 import type { Region } from '../trace/values.js';
 import { allLayers, regionShapes } from './shapes.js';
-import { listInHand } from './state.js';
+import { currentListOf } from './state.js';
 
 const header = headerOf('weiler-atherton', 'polygons');
 
@@ -56,9 +56,9 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
   it('pops a list from the stack and divides its pieces', async () => {
     const { timeline } = await traceOf(textWith(header, [push, pop, call, clipped]));
     expect(timeline.seek(1).values.weilerAtherton?.lists).toHaveLength(1);
-    const { lists, inHand } = timeline.seek(4).values.weilerAtherton ?? {};
+    const { lists, currentList } = timeline.seek(4).values.weilerAtherton ?? {};
     expect(lists).toEqual([]);
-    expect(inHand).toMatchObject({
+    expect(currentList).toMatchObject({
       inside: [['A', near, false]],
       outside: [['A', far, false]],
       seen: 2,
@@ -71,13 +71,13 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
   ] as const)('leaves of the parts inside what is not %s', async (_name, is, left) => {
     const events = [push, pop, call, clipped, remove, behind(is), nearerOnes];
     const { timeline } = await traceOf(textWith(header, events));
-    expect(timeline.seek(7).values.weilerAtherton?.inHand?.inside).toEqual(left);
+    expect(timeline.seek(7).values.weilerAtherton?.currentList?.inside).toEqual(left);
   });
 
   it('puts a piece outside by its bounding box alone', async () => {
     const beside: Event = { e: 'beside', at: 'WA5', polygon: 'A' };
     const { timeline } = await traceOf(textWith(header, [push, pop, beside]));
-    expect(timeline.seek(3).values.weilerAtherton?.inHand).toMatchObject({
+    expect(timeline.seek(3).values.weilerAtherton?.currentList).toMatchObject({
       inside: [],
       outside: [['A', far, false]],
     });
@@ -125,8 +125,8 @@ it.each(['windows', 'polygons', 'signs'])(
     const ofPainting = views.filter(({ event }) => event?.e === 'paint' || event?.e === 'painted');
     expect(ofLists.length).toBeGreaterThan(0);
     expect(ofPainting.length).toBeGreaterThan(1);
-    expect(ofPainting.map(listInHand)).toEqual(ofPainting.map(() => null));
-    expect(ofLists.map(listInHand)).not.toContain(null);
+    expect(ofPainting.map(currentListOf)).toEqual(ofPainting.map(() => null));
+    expect(ofLists.map(currentListOf)).not.toContain(null);
     const looks = ofPainting.flatMap((view) =>
       regionShapes(view, figureFrame(view), allLayers)
         .filter(({ d }) => d !== '')
@@ -134,6 +134,6 @@ it.each(['windows', 'polygons', 'signs'])(
     );
     expect(looks).not.toContain('clip-region');
     // The program's variable keeps the last list, and so do the states of a trace.
-    expect(ofPainting.every(({ after }) => after.weilerAtherton?.inHand !== null)).toBe(true);
+    expect(ofPainting.every(({ after }) => after.weilerAtherton?.currentList !== null)).toBe(true);
   },
 );

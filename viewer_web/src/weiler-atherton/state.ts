@@ -5,13 +5,13 @@ import type { Piece } from '../trace/values.js';
 
 export type List = readonly Piece[];
 /** The list that was popped from the stack; its first piece is the clip polygon. */
-export type ListInHand = NonNullable<WeilerAtherton['inHand']>;
+export type CurrentList = NonNullable<WeilerAtherton['currentList']>;
 export type Crossings = WeilerAtherton['crossings'];
 
 /** Before the first step. */
 export const emptyWeilerAtherton: WeilerAtherton = {
   lists: [],
-  inHand: null,
+  currentList: null,
   facets: [],
   visible: [],
   crossings: { entering: [], leaving: [] },
@@ -29,5 +29,5 @@ export const isPainting = ({ event, after }: Pick<View, 'event' | 'after'>): boo
   (event !== null && inPainting.includes(event.e));
 
 /** The list that the step processes. The program's variables keep the last one to the end. */
-export const listInHand = (view: Pick<View, 'event' | 'after'>): ListInHand | null =>
-  isPainting(view) ? null : (view.after.weilerAtherton?.inHand ?? null);
+export const currentListOf = (view: Pick<View, 'event' | 'after'>): CurrentList | null =>
+  isPainting(view) ? null : (view.after.weilerAtherton?.currentList ?? null);

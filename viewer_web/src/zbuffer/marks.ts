@@ -28,7 +28,7 @@ function stateMarks(view: View): readonly Mark[] {
   ];
 }
 
-const edgeInHand = ({ edge }: { readonly edge: number }, view: View): readonly Mark[] =>
+const currentEdge = ({ edge }: { readonly edge: number }, view: View): readonly Mark[] =>
   edgeOf(polygonOf(view), edge, 'side');
 
 const draws: Draws = {
@@ -38,9 +38,9 @@ const draws: Draws = {
   columns: ({ first, end }, { after }) =>
     rowBoxes('fresh', after.zbuffer?.row ?? 0, [[first, end]]),
   edge: ({ from, to }) => [path('side', [from, to])],
-  horizontal: edgeInHand,
-  ael_add: edgeInHand,
-  ael_step: edgeInHand,
+  horizontal: currentEdge,
+  ael_add: currentEdge,
+  ael_step: currentEdge,
 };
 
 /** The scanline, the active edges, and the pixels that the step paints. */
