@@ -1,5 +1,6 @@
-// Writes the tables of the atlas, README.md and README.ru.md: node lessons/failures/table.mjs VIDNO
-// With --check it writes nothing, and exits with 1 if a table is not what it would write.
+// Writes the tables of the atlas, README.md and README.ru.md, and why its wrong pictures have no proof, unproved.jsonl:
+// node lessons/failures/table.mjs VIDNO
+// With --check it writes nothing, and exits with 1 if a file is not what it would write.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -34,7 +35,7 @@ const words = {
     introduction: `Each entry is a file with the smallest known scene, the run that fails on it, a run that does not (perhaps of the same surface with
 other samples), and the place where the failure is visible. \`tests/check/failures_test.cpp\` checks each entry. The column *at step*
 counts the events of a trace of level \`signs\` up to the first wrong decision or the first visibly wrong step. \`table.mjs\` writes
-these tables.`,
+these tables, and in \`unproved.jsonl\` why a wrong picture has no proof. The page shows that, too.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${decisions.en[of]}: computed ${answer(taken, english)}, exact ${answer(exact, english)}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
@@ -47,6 +48,8 @@ these tables.`,
     column: ([curve, x, drawn]) => `curve ${curve} is ${drawn ? 'drawn' : 'not drawn'} over column ${x}`,
     place: ([curve, x, drawn]) => `curve ${curve} is ${drawn ? 'drawn' : 'not drawn'} at x = ${x}`,
     test: 'a test of its own',
+    unproved: (pixel, painted) => `Pixel ${pixel}: ${painted ?? 'the background'} is painted, but `,
+    more: (count) => (count === 1 ? 'One more pixel is wrong.' : `${count} more pixels are wrong.`),
   },
   ru: {
     file: 'README.ru.md',
@@ -54,7 +57,7 @@ these tables.`,
     introduction: `Запись — это файл. В нём наименьшая известная сцена, прогон, который на ней ошибается, прогон, который не ошибается (иногда
 на той же поверхности с другими отсчётами), и место, где ошибка видна. \`tests/check/failures_test.cpp\` проверяет каждую
 запись. Шаг — это шаг трассы уровня \`signs\`: первое неверное решение или первый шаг, на котором ошибка видна. Таблицы пишет
-\`table.mjs\`.`,
+\`table.mjs\`. Он пишет и \`unproved.jsonl\`: почему у неверного изображения нет доказательства. Страница это показывает.`,
     head: ['ошибка', 'причина', 'прогон', 'шаг', 'что на нём видно', 'исправление'],
     wrong: ({ of, taken, exact }) => `${decisions.ru[of]}: вычислено ${answer(taken, russian)}, точный ответ — ${answer(exact, russian)}`,
     pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
@@ -67,6 +70,8 @@ these tables.`,
     column: ([curve, x, drawn]) => `кривая ${curve} над столбцом ${x} ${drawn ? 'нарисована' : 'не нарисована'}`,
     place: ([curve, x, drawn]) => `кривая ${curve} при x = ${comma(x)} ${drawn ? 'нарисована' : 'не нарисована'}`,
     test: 'отдельный тест',
+    unproved: (pixel, painted) => `Пиксель ${pixel}: закрашен ${painted ?? 'фон'}, но `,
+    more: (count) => (count === 1 ? 'Неверен ещё один пиксель.' : `Других неверных пикселей: ${count}.`),
   },
 };
 
@@ -173,6 +178,34 @@ function seen({ scene, fails, holds, shows }) {
   return { step: painted.step, there: 'pixel', value: [painted.id, painting(scene, holding, shows.pixel).id] };
 }
 
+/** The sentences about a pixel: first what shows there. The last line, about the run, is left out. */
+function reasonsAt(file, pixel, language) {
+  const [first, ...others] = vidno('why', file, `--pixel=${pixel}`, '--language', language).trimEnd().split('\n');
+  return [first.replace(/^.*?: /u, ''), ...others.filter((line) => line.startsWith('  ')).map((line) => line.trim())];
+}
+
+const withStop = (sentence) => sentence.replace(/\.?$/u, '.');
+const capital = (sentence) => sentence[0].toUpperCase() + sentence.slice(1);
+
+/** Why the picture of an entry has no proof: what is so at the pixel that the entry shows, or at the first wrong one. */
+function unproved({ name, entry: { scene, shows } }) {
+  const file = join(folder, `${name}.json`);
+  const wrong = vidno('prove', file, '-o', join(work, 'proof.jsonl')).trimEnd().split('\n').filter((line) => line !== '');
+  if (wrong.length === 0) return [];
+  const line = wrong.find((each) => each.startsWith(`pixel ${shows.pixel} `)) ?? wrong[0];
+  const [, pixel, color] = /^pixel (\S+) is (#\w+)/u.exec(line);
+  const painted = scene.polygons.find((polygon) => polygon.color === color)?.id;
+  const english = reasonsAt(file, pixel, 'en');
+  const told = Object.entries(words).map(([language, { unproved: but, more }]) => {
+    const [shown, ...others] = reasonsAt(file, pixel, language);
+    // `prove` names the polygons in the colour of the pixel, besides the one that shows.
+    const sentences = others.filter((_, i) => line.includes(`. ${english[i + 1]}`)).map((each) => withStop(capital(each)));
+    const rest = wrong.length > 1 ? [more(wrong.length - 1)] : [];
+    return [language, [withStop(but(pixel, painted) + shown), ...sentences, ...rest].join(' ')];
+  });
+  return [JSON.stringify({ name, ...Object.fromEntries(told) })];
+}
+
 function row(language, { name, entry, found }) {
   const { title, why, remedy, fails, source } = entry;
   const text = words[language];
@@ -197,9 +230,11 @@ try {
       const entry = JSON.parse(readFileSync(join(folder, file), 'utf8'));
       return { name: file.replace(/\.json$/u, ''), entry, found: entry.scene && seen(entry) };
     });
-  for (const [language, { file }] of Object.entries(words)) {
+  const pictures = entries.filter(({ entry }) => entry.scene?.polygons !== undefined);
+  const files = Object.entries(words).map(([language, { file }]) => [file, table(language, entries)]);
+  files.push(['unproved.jsonl', pictures.flatMap(unproved).map((line) => `${line}\n`).join('')]);
+  for (const [file, written] of files) {
     const path = join(folder, file);
-    const written = table(language, entries);
     if (mode !== '--check') writeFileSync(path, written);
     else if (readFileSync(path, 'utf8') !== written) {
       console.error(`${path} is not what table.mjs writes`);

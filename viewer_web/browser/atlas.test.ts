@@ -17,7 +17,14 @@ interface Stated {
   readonly step: string;
   readonly there: string;
   readonly pixel: readonly [number, number] | null;
+  /** Why its picture has no proof: no text, or one. */
+  readonly unproved: readonly string[];
 }
+
+const reasons = text('unproved.jsonl')
+  .trimEnd()
+  .split('\n')
+  .map((line) => JSON.parse(line) as { readonly name: string; readonly en: string });
 
 /**
  * The table in the atlas's README has one row for each entry with a scene. `table.mjs` computes it from the traces alone.
@@ -34,7 +41,8 @@ const entries = text('README.md')
     };
     if (file.scene === undefined) return [];
     const pixel = file.shows?.pixel ?? null;
-    return [{ name, title, remedy, step: step.trim(), there: there.trim(), pixel }];
+    const unproved = reasons.filter((reason) => reason.name === name).map(({ en }) => en);
+    return [{ name, title, remedy, step: step.trim(), there: there.trim(), pixel, unproved }];
   });
 
 /** The table row of an entry, by its name. */
@@ -102,6 +110,9 @@ describe('the atlas of failures', () => {
           { message: entry.name },
         )
         .toEqual({ isThere: true, pixel: entry.pixel });
+      expect(await note.locator('.unproved p').allTextContents(), entry.name).toEqual(
+        entry.unproved,
+      );
       if (entry.pixel === null) continue;
       await note.locator('[name=compare]').click();
       await page.locator('vidno-comparison').waitFor();
@@ -220,6 +231,7 @@ describe('the address of an entry', () => {
       page.locator('vidno-run-form select[name=kernel]').selectOption('filtered'),
     );
     await there(page).waitFor({ state: 'detached' });
+    expect(await page.locator('vidno-failure-note .unproved').count()).toBe(0);
     expect(await hashOf(page, 'scene=')).not.toContain('atlas=');
     await page.locator('vidno-failure-note .remedy', { hasText: clipped.remedy }).waitFor();
     expect(faults).toEqual([]);

@@ -9,6 +9,7 @@ export function failing({ session, setup, ways }: Shown): TemplateResult | typeo
   if (failure === null || trace === null || setup.presenting) return nothing;
   return html`<vidno-failure-note
     .failure=${failure}
+    .unproved=${failure.unproved}
     .language=${setup.language}
     ?there=${session.isFailing}
     ?comparing=${rival.chosen !== null}

@@ -2,6 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { rest } from '../elements/read-on.js';
 import { textOf } from '../base/file.js';
 import { embeddedAtlas } from '../atlas/entries.js';
+import type { Entry } from '../atlas/entries.js';
 import { Rival } from '../compare/rival.js';
 import type { With } from '../compare/rival.js';
 import { Witness } from '../compare/witness.js';
@@ -43,23 +44,25 @@ type Wanted = Pick<Address, 'step' | 'pixel' | 'bookmarks' | 'rival'>;
 const whereSeen: Wanted = { step: null, pixel: null, bookmarks: [], rival: null };
 const nothing = (): void => undefined;
 
-/** How a failure is opened: from an entry of the atlas, if it has one, and at which place. */
-interface Named {
+/** What the atlas of the page knows of an open failure: the name of its entry, and why its picture has no proof. */
+interface Known {
   readonly entry: string | null;
+  readonly unproved: Entry['unproved'];
+}
+
+/** How a failure is opened: as an entry of the atlas or not, and at which place. */
+interface Named extends Known {
   readonly wanted: Wanted;
   readonly arrive: () => void;
 }
-const unnamed: Named = { entry: null, wanted: whereSeen, arrive: nothing };
+const unnamed: Named = { entry: null, unproved: null, wanted: whereSeen, arrive: nothing };
 
 function placeIn({ step: seenAt, pixel: seen }: Failure, wanted: Wanted): Place {
   const { step, pixel, bookmarks } = wanted;
   return { step: step ?? seenAt ?? Infinity, pixel: step === null ? seen : pixel, bookmarks };
 }
 
-/** An open failure, with the name of its entry in the atlas if it has one. */
-interface OpenFailure extends Failure {
-  readonly entry: string | null;
-}
+type OpenFailure = Failure & Known;
 
 /** Where a scene comes from: a failure that it shows, a mesh that it lacks parts of, or earlier edits that were not saved. */
 interface Origin {
@@ -269,8 +272,12 @@ export class Session implements ReactiveController {
     this.say({ kind: 'reading', name });
     const entries = await embeddedAtlas(document);
     const entry = entries.find((each) => each.name === name && each.scene !== undefined);
-    if (entry === undefined) this.miss(name);
-    else await this.openFailure(entry.text, name, { entry: name, wanted, arrive });
+    if (entry === undefined) {
+      this.miss(name);
+      return;
+    }
+    const { text, unproved } = entry;
+    await this.openFailure(text, name, { entry: name, unproved, wanted, arrive });
   }
 
   /**
@@ -280,7 +287,7 @@ export class Session implements ReactiveController {
   async openFailure(
     text: string,
     name: string,
-    { entry, wanted, arrive }: Named = unnamed,
+    { entry, unproved, wanted, arrive }: Named = unnamed,
   ): Promise<void> {
     this.stopReading();
     this.say({ kind: 'reading', name });
@@ -293,7 +300,7 @@ export class Session implements ReactiveController {
       this.say({ kind: 'refused', name, messages: found.messages });
       return;
     }
-    const failure = { ...found.failure, entry };
+    const failure = { ...found.failure, entry, unproved };
     const { scene, fails } = failure;
     this.openScene(scene, name, fails, placeIn(failure, wanted), { failure, arrive });
     this.besideRemedy(failure, wanted);

@@ -1,12 +1,15 @@
-import { readFileSync, readdirSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { entries as entriesOf } from '../../plugins/atlas.js';
+import { ExactPolygon, centreOf, ownerAt } from '../testing/exact-scene.js';
 import { entriesIn, kindOfEntry } from './entries.js';
+import type { Entry } from './entries.js';
 
-const folder = new URL('../../../lessons/failures/', import.meta.url);
-const files = readdirSync(folder)
-  .filter((file) => file.endsWith('.json'))
-  .map((file) => [file.replace('.json', ''), readFileSync(new URL(file, folder), 'utf8')]);
+const folder = fileURLToPath(new URL('../../../lessons/failures/', import.meta.url));
+const files = entriesOf(folder);
 const entries = entriesIn(JSON.stringify(files));
 
 it('distinguishes rounding, the printed text, usual mistakes and limits of a method', () => {
@@ -25,6 +28,69 @@ it('has all entries, grouped by kind, each with a title in both languages', () =
   const kinds = entries.map(({ kind }) => kind);
   expect(kinds.filter((kind, i) => kind !== kinds[i - 1]).length).toBe(new Set(kinds).size);
   for (const { title } of entries) expect([title.en, title.ru]).not.toContain('');
+});
+
+interface Polygons {
+  readonly polygons?: readonly {
+    readonly id: string;
+    readonly vertices: readonly (readonly (number | string)[])[];
+  }[];
+}
+/** A coordinate, perhaps a power of two as hexadecimal text. */
+function coordinate(given: number | string): number {
+  if (typeof given === 'number') return given;
+  const [, minus = '', power = ''] = /^(-?)0x1p(\d+)$/.exec(given) ?? [];
+  return Number(`${minus}1`) * 2 ** Number(power);
+}
+const polygonsOf = ({ scene }: Entry): Polygons['polygons'] =>
+  (scene as Polygons | undefined)?.polygons;
+
+describe('why a picture has no proof', () => {
+  const reasons = entries.flatMap((entry) =>
+    entry.unproved === null ? [] : [[entry.name, entry, entry.unproved] as const],
+  );
+  /** The program that proves pictures; `./dev test` names it. */
+  const program = process.env['VIDNO_PROGRAM'] ?? '';
+  const proving = ({ name }: Entry): ReturnType<typeof spawnSync> =>
+    spawnSync(program, ['prove', `${folder}${name}.json`, '-o', '-'], { encoding: 'utf8' });
+
+  it('is said of each wrong pixel that an entry shows, and of no curve', () => {
+    const polygons = entries.filter((entry) => polygonsOf(entry) !== undefined);
+    const showing = polygons.filter(({ shows }) => shows?.pixel !== undefined);
+    expect(showing.length).toBeGreaterThan(35);
+    expect(showing.filter(({ unproved }) => unproved === null)).toEqual([]);
+    expect(reasons.filter(([, entry]) => !polygons.includes(entry))).toEqual([]);
+  });
+
+  it.each(reasons)('names what shows in exact numbers: %s', (_name, entry, { en, ru }) => {
+    const [, place, x, y, owner = null] =
+      /^Pixel ((-?\d+),(-?\d+)): .* is painted, but (?:(\S+) shows|no polygon shows)/.exec(en) ??
+      [];
+    const polygons = polygonsOf(entry) ?? [];
+    const exact = polygons.map(
+      ({ vertices }) =>
+        new ExactPolygon({ vertices: vertices.map((each) => each.map(coordinate)) }),
+    );
+    const shown = ownerAt(exact, centreOf(Number(x), Number(y)));
+    expect(owner).toBe(shown === null ? null : polygons[shown]?.id);
+    expect(ru).toMatch(
+      new RegExp(
+        `^Пиксель ${String(place)}: .*, но ${owner === null ? 'не виден ни один' : `${owner} виден`}`,
+      ),
+    );
+  });
+
+  it.skipIf(program === '')(
+    'is said where the program finds no proof, of one of its pixels',
+    () => {
+      for (const entry of entries.filter((each) => polygonsOf(each) !== undefined)) {
+        const { status, stdout } = proving(entry);
+        expect([entry.name, status]).toEqual([entry.name, entry.unproved === null ? 0 : 1]);
+        const pixel = entry.unproved?.en.split(':')[0]?.toLowerCase() ?? '';
+        expect(String(stdout)).toContain(pixel);
+      }
+    },
+  );
 });
 
 const schema = (name: string): object =>

@@ -30,6 +30,8 @@ export interface Entry extends FailureFile {
   /** The text of its file. */
   readonly text: string;
   readonly kind: FailureKind;
+  /** Why its picture has no proof; null if it is right, or is of curves. */
+  readonly unproved: Readonly<Record<Language, string>> | null;
 }
 
 /** An entry that no scene can show has a test of its own instead. */
@@ -43,10 +45,14 @@ export function kindOfEntry({ fails }: Pick<FailureFile, 'fails'>): FailureKind 
 
 /** The entries, grouped by kind, in the order of their names. */
 export function entriesIn(json: string): readonly Entry[] {
-  const files = JSON.parse(json) as readonly (readonly [name: string, text: string])[];
-  const entries = files.map(([name, text]): Entry => {
+  const files = JSON.parse(json) as readonly (readonly [
+    name: string,
+    text: string,
+    unproved: Entry['unproved'],
+  ])[];
+  const entries = files.map(([name, text, unproved]): Entry => {
     const failure = JSON.parse(text) as FailureFile;
-    return { ...failure, name, text, kind: kindOfEntry(failure) };
+    return { ...failure, name, text, unproved, kind: kindOfEntry(failure) };
   });
   const place = ({ kind }: Entry): number => entryKinds.indexOf(kind);
   return [...entries].sort((one, other) => place(one) - place(other));

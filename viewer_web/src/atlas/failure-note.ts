@@ -6,9 +6,10 @@ import { texts } from '../i18n/index.js';
 import type { AtlasTexts } from '../language/texts.js';
 import type { Language } from '../language/language.js';
 import type { Failure } from '../run/failures.js';
+import type { Entry } from './entries.js';
 
 /**
- * A note on the open failure: its effect, its place, and the remedy. Events carry requests: `go` to the step, `compare` to
+ * A note on the open failure: its effect, its place, why its picture has no proof, and the remedy. Events carry requests: `go` to the step, `compare` to
  * switch the comparison with the correct run, `forget` to close the note.
  */
 @customElement('vidno-failure-note')
@@ -38,6 +39,15 @@ export class FailureNoteElement extends LitElement {
       }
       .facts {
         flex: 1 1 22rem;
+        overflow-wrap: anywhere;
+      }
+      .unproved {
+        margin: 0.2rem 0;
+      }
+      summary {
+        width: fit-content;
+        color: var(--accent);
+        cursor: pointer;
       }
       .tools {
         display: flex;
@@ -62,6 +72,8 @@ export class FailureNoteElement extends LitElement {
   ];
 
   @property({ attribute: false }) failure!: Failure;
+  /** Why its picture has no proof, if the atlas says so. */
+  @property({ attribute: false }) unproved: Entry['unproved'] = null;
   @property({ attribute: false }) language: Language = 'en';
   /** Whether the failing run is shown unchanged. After a change it may not be wrong at that step. */
   @property({ type: Boolean }) there = false;
@@ -69,13 +81,21 @@ export class FailureNoteElement extends LitElement {
   @property({ type: Boolean }) comparing = false;
 
   override render(): TemplateResult {
-    const { failure, language, comparing } = this;
+    const { failure, unproved, language, comparing } = this;
     const say = texts[language].atlas;
     const { why, remedy, source } = failure;
     const step = this.there ? failure.step : null;
     return html`<div class="facts">
         <p class="why">${why[language]}${source === '' ? nothing : html` (${source})`}</p>
         ${this.there ? this.seen(say) : nothing}
+        ${
+          this.there && unproved !== null
+            ? html`<details class="unproved">
+                <summary>${say.unproved}</summary>
+                <p>${unproved[language]}</p>
+              </details>`
+            : nothing
+        }
         <p class="remedy">${say.remedy}: ${remedy[language]}</p>
       </div>
       <p class="tools">

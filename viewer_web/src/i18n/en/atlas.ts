@@ -15,6 +15,8 @@ export const atlas = {
   /** Instead of a picture. */
   noScene: 'no scene can show it',
   remedy: 'Remedy',
+  /** It opens to the reasons. */
+  unproved: 'Why the picture has no proof',
   /** The step at which a failure shows, and the defect there. */
   at: (step: string, there: string): string => `Step ${step}: ${there}`,
   goTo: 'Go to the step',

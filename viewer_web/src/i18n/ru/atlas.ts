@@ -15,6 +15,7 @@ export const atlas: AtlasTexts = {
   },
   noScene: 'сценой не показать',
   remedy: 'Исправление',
+  unproved: 'Почему у изображения нет доказательства',
   at: (step, there) => `Шаг ${step}: ${there}`,
   goTo: 'К шагу',
   compare: 'Сравнить с исправленным',
