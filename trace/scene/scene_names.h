@@ -51,6 +51,8 @@ inline constexpr auto scene_names = std::to_array<Bilingual>({
     {"Two triangles with part of an edge in common, and one before it",
      "Два треугольника с общей частью ребра и один перед ней"},
     {"A vertex that touches an edge", "Вершина, которая касается ребра"},
+    {"Four relations of a polygon to a window, on 4 × 4 pixels",
+     "Четыре отношения многоугольника к окну на 4 × 4 пикселях"},
     {"Four curves by hand", "Четыре кривые вручную"},
     {"The side of a surface hides", "Бок поверхности заслоняет"},
     {"A peak between two samples", "Пик между двумя отсчётами"},
