@@ -1,8 +1,5 @@
 #include "proof/why.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "scene/rational_polygon.h"
 
 namespace vidno {
@@ -34,22 +31,23 @@ PassingEdge as_shown(const Passing& passing) {
 
 }  // namespace
 
-struct Reasons::Polygons {
-    std::vector<RationalPolygon> all;
+struct Reasons::Polygons : RationalPolygons {
+    using RationalPolygons::RationalPolygons;
+
+    bool holds(int polygon, int x, int y) {
+        const auto [xmin, ymin, xmax, ymax] = box(polygon);
+        if (xmin > x + 0.5 || xmax < x + 0.5 || ymin > y + 0.5 || ymax < y + 0.5) return false;
+        return at(polygon).holds(centre_of_pixel(x, y));
+    }
 
     /// The polygon that would show without this one.
-    std::optional<int> owner(int x, int y, std::optional<int> without) const {
-        const Point<Rational> at = centre_of_pixel(x, y);
+    std::optional<int> owner(int x, int y, std::optional<int> without) {
+        const Point<Rational> centre = centre_of_pixel(x, y);
         std::optional<int> nearest;
         Rational depth;
-        for (int i = 0; i < int(all.size()); ++i) {
-            const RationalPolygon& polygon = all[std::size_t(i)];
-            const auto& box = polygon.box;
-            if (i == without || box.xmin > x + 0.5 || box.xmax < x + 0.5 || box.ymin > y + 0.5 || box.ymax < y + 0.5 ||
-                !polygon.holds(at)) {
-                continue;
-            }
-            const Rational z = polygon.depth(at);
+        for (int i = 0; i < count(); ++i) {
+            if (i == without || !holds(i, x, y)) continue;
+            const Rational z = at(i).depth(centre);
             if (nearest && z <= depth) continue;
             nearest = i;
             depth = z;
@@ -58,18 +56,13 @@ struct Reasons::Polygons {
     }
 };
 
-Reasons::Reasons(const AdmittedScene& scene) {
-    Polygons polygons;
-    for (const auto& polygon : scene->polygons) polygons.all.emplace_back(polygon);
-    polygons_ = std::make_unique<const Polygons>(std::move(polygons));
-}
+Reasons::Reasons(const Scene& scene) : polygons_(std::make_unique<Polygons>(scene)) {}
 Reasons::~Reasons() = default;
 
 std::optional<int> Reasons::owner(int x, int y) const { return polygons_->owner(x, y, std::nullopt); }
 
 AtPixel Reasons::at(int x, int y, int polygon, std::optional<int> owner) const {
-    const auto exact = [&](int place) -> const RationalPolygon& { return polygons_->all[std::size_t(place)]; };
-    const RationalPolygon& own = exact(polygon);
+    const RationalPolygon& own = polygons_->at(polygon);
     AtPixel found{.polygon = polygon};
     if (own.is_edge_on()) {
         found.standing = Standing::edge_on;
@@ -93,7 +86,7 @@ AtPixel Reasons::at(int x, int y, int polygon, std::optional<int> owner) const {
 
     const auto rival = shows ? polygons_->owner(x, y, polygon) : owner;
     if (!rival) return found;
-    const Rational gap = shows ? depth - exact(*rival).depth(at) : exact(*rival).depth(at) - depth;
+    const Rational gap = shows ? depth - polygons_->at(*rival).depth(at) : polygons_->at(*rival).depth(at) - depth;
     found.wins_ties = polygon < *rival;
     if (shows) found.next = rival;
     if (gap > 0 || (gap == 0 && (shows || !found.wins_ties))) found.gap = Fraction{Exact::fraction(gap)};

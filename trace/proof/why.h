@@ -11,7 +11,7 @@
 
 #include "choice/language.h"
 #include "format/verdict.h"
-#include "vidno/admitted.h"
+#include "vidno/scene.h"
 
 namespace vidno {
 
@@ -43,10 +43,10 @@ struct AtPixel {
     std::optional<int> next{};  // shows: the next polygon
 };
 
-/// Finds the reasons in a scene, which outlives it.
+/// Finds the reasons in an admitted scene, which outlives it.
 class Reasons {
 public:
-    explicit Reasons(const AdmittedScene& scene);
+    explicit Reasons(const Scene& scene);
     ~Reasons();
     Reasons(const Reasons&) = delete;
     Reasons& operator=(const Reasons&) = delete;
@@ -58,7 +58,7 @@ public:
 
 private:
     struct Polygons;
-    std::unique_ptr<const Polygons> polygons_;
+    std::unique_ptr<Polygons> polygons_;
 };
 
 /// What to say of a polygon at a pixel, one sentence without a full stop.

@@ -103,22 +103,14 @@ std::optional<SceneFacts::Shown> unexpected_among(std::vector<Candidate> candida
 
 }  // namespace
 
-/// Few of a scene's polygons are asked about, so each is converted when it is needed first.
-struct SceneFacts::Polygons {
-    const Scene* scene;
+struct SceneFacts::Polygons : RationalPolygons {
     bool edge_on_shows;
-    std::vector<std::unique_ptr<const RationalPolygon>> converted{scene->polygons.size()};
 
-    const RationalPolygon& at(int place) {
-        auto& polygon = converted[std::size_t(place)];
-        if (!polygon) polygon = std::make_unique<RationalPolygon>(scene->polygons[std::size_t(place)]);
-        return *polygon;
-    }
     /// Those of the first polygons whose boxes meet the window. None if what shows there is not known.
     std::optional<std::vector<Candidate>> near(const Window& window, int polygons) {
         std::vector<Candidate> found;
         for (int place = 0; place < polygons; ++place) {
-            if (Double{}.outside(box_of(scene->polygons[std::size_t(place)]), window)) continue;
+            if (Double{}.outside(box(place), window)) continue;
             if (!at(place).is_edge_on()) {
                 found.push_back({place, &at(place)});
             } else if (edge_on_shows) {
@@ -130,7 +122,8 @@ struct SceneFacts::Polygons {
 };
 
 SceneFacts::SceneFacts(const TraceHeader& header)
-    : polygons_(std::make_unique<Polygons>(Polygons{&header.scene, header.method == Method::warnock_edges})) {}
+    : polygons_(std::make_unique<Polygons>(
+          Polygons{RationalPolygons(header.scene), header.method == Method::warnock_edges})) {}
 SceneFacts::~SceneFacts() = default;
 
 std::optional<bool> SceneFacts::holds(int polygon, const ValuePoint& at) const {
@@ -217,7 +210,7 @@ std::optional<SceneFacts::Seen> SceneFacts::seen(const ValuePoint& at) const {
     const auto place = in_rationals(at);
     if (!place) return std::nullopt;
     const double x = number_of(at.x), y = number_of(at.y);
-    const auto near = polygons_->near({std::floor(x), std::floor(y), 1, 1}, int(polygons_->converted.size()));
+    const auto near = polygons_->near({std::floor(x), std::floor(y), 1, 1}, polygons_->count());
     if (!near) return std::nullopt;
     std::optional<int> nearest;
     for (const auto& [i, polygon, holds] : *near) {
@@ -228,7 +221,7 @@ std::optional<SceneFacts::Seen> SceneFacts::seen(const ValuePoint& at) const {
 
 std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pixels,
                                                         const std::function<bool(std::optional<int>)>& expected) const {
-    return unexpected(pixels, int(polygons_->converted.size()), expected);
+    return unexpected(pixels, polygons_->count(), expected);
 }
 
 std::optional<SceneFacts::Shown> SceneFacts::unexpected(const PixelRectangle& pixels, int polygons,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "vidno/kernels/exact.h"
@@ -55,6 +56,24 @@ struct RationalPolygon {
     }
     /// Of its plane, unless it is edge-on.
     Rational depth(const Point<Rational>& at) const { return -(plane.a * at.x + plane.b * at.y + plane.d) / plane.c; }
+};
+
+/// The polygons of a scene, which outlives them. Few are asked about, so each is converted when it is needed first.
+class RationalPolygons {
+public:
+    explicit RationalPolygons(const Scene& scene) : scene_(&scene), converted_(scene.polygons.size()) {}
+
+    int count() const { return int(converted_.size()); }
+    Box<double> box(int place) const { return box_of(scene_->polygons[std::size_t(place)]); }
+    const RationalPolygon& at(int place) {
+        auto& polygon = converted_[std::size_t(place)];
+        if (!polygon) polygon = std::make_unique<RationalPolygon>(scene_->polygons[std::size_t(place)]);
+        return *polygon;
+    }
+
+private:
+    const Scene* scene_;
+    std::vector<std::unique_ptr<const RationalPolygon>> converted_;
 };
 
 inline Point<Rational> centre_of_pixel(int x, int y) { return {Rational(x + 0.5), Rational(y + 0.5)}; }
