@@ -59,6 +59,14 @@ struct Reasons::Polygons : RationalPolygons {
 Reasons::Reasons(const Scene& scene) : polygons_(std::make_unique<Polygons>(scene)) {}
 Reasons::~Reasons() = default;
 
+std::vector<int> Reasons::holding(int x, int y) const {
+    std::vector<int> found;
+    for (int i = 0; i < polygons_->count(); ++i) {
+        if (polygons_->holds(i, x, y)) found.push_back(i);
+    }
+    return found;
+}
+
 std::optional<int> Reasons::owner(int x, int y) const { return polygons_->owner(x, y, std::nullopt); }
 
 AtPixel Reasons::at(int x, int y, int polygon, std::optional<int> owner) const {

@@ -11,6 +11,7 @@
 
 #include "choice/language.h"
 #include "format/verdict.h"
+#include "json/json_text.h"
 #include "vidno/scene.h"
 
 namespace vidno {
@@ -51,6 +52,8 @@ public:
     Reasons(const Reasons&) = delete;
     Reasons& operator=(const Reasons&) = delete;
 
+    /// The polygons that hold the centre of a pixel, in the order of the scene.
+    std::vector<int> holding(int x, int y) const;
     /// The polygon that shows at a pixel by the picture rule.
     std::optional<int> owner(int x, int y) const;
     /// `owner` is the pixel's.
@@ -63,6 +66,12 @@ private:
 
 /// What to say of a polygon at a pixel, one sentence without a full stop.
 std::string sentence(const AtPixel& found, const Scene& scene, Language language);
+/// The owner's, or that there is none.
+std::string sentence_of_owner(const Reasons& reasons, int x, int y, std::optional<int> owner, const Scene& scene,
+                              Language language);
+
+/// Appends what `vidno-why/1` has of a polygon.
+void append_at_pixel(Text& out, const AtPixel& found, const Scene& scene);
 
 /// All of a pixel as JSON, `vidno-why/1`, or as text, a line for each polygon; the owner first.
 std::string why_json(const Reasons& reasons, int x, int y, const Scene& scene);

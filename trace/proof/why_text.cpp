@@ -1,4 +1,3 @@
-#include "json/json_text.h"
 #include "proof/why.h"
 
 namespace vidno {
@@ -120,7 +119,28 @@ void append_edge(Text& out, const PassingEdge& edge) {
     out += '}';
 }
 
-void append_found(Text& out, const AtPixel& found, const Scene& scene) {
+}  // namespace
+
+std::string sentence(const AtPixel& found, const Scene& scene, Language language) {
+    const std::string id = id_of(found.polygon, scene);
+    switch (found.standing) {
+        case Standing::shows: return shows(found, scene, language);
+        case Standing::behind: return behind(found, id, language);
+        case Standing::beside: return beside(found, id, language);
+        case Standing::edge_on:
+            return id + std::string(
+                            Bilingual{" is edge-on and shows nowhere", " стоит ребром и нигде не виден"}.in(language));
+    }
+    std::abort();
+}
+
+std::string sentence_of_owner(const Reasons& reasons, int x, int y, std::optional<int> owner, const Scene& scene,
+                              Language language) {
+    if (owner) return sentence(reasons.at(x, y, *owner, owner), scene, language);
+    return std::string(Bilingual{"no polygon shows", "не виден ни один многоугольник"}.in(language));
+}
+
+void append_at_pixel(Text& out, const AtPixel& found, const Scene& scene) {
     out += "{\"polygon\":";
     append_string(out, id_of(found.polygon, scene));
     out += ",\"standing\":";
@@ -145,21 +165,6 @@ void append_found(Text& out, const AtPixel& found, const Scene& scene) {
     out += '}';
 }
 
-}  // namespace
-
-std::string sentence(const AtPixel& found, const Scene& scene, Language language) {
-    const std::string id = id_of(found.polygon, scene);
-    switch (found.standing) {
-        case Standing::shows: return shows(found, scene, language);
-        case Standing::behind: return behind(found, id, language);
-        case Standing::beside: return beside(found, id, language);
-        case Standing::edge_on:
-            return id + std::string(
-                            Bilingual{" is edge-on and shows nowhere", " стоит ребром и нигде не виден"}.in(language));
-    }
-    std::abort();
-}
-
 std::string why_json(const Reasons& reasons, int x, int y, const Scene& scene) {
     Text out;
     out += "{\"format\":\"vidno-why/1\",\"pixel\":[";
@@ -173,7 +178,7 @@ std::string why_json(const Reasons& reasons, int x, int y, const Scene& scene) {
     char before = '[';
     for (int i = 0; i < int(scene.polygons.size()); ++i) {
         out += before;
-        append_found(out, reasons.at(x, y, i, owner), scene);
+        append_at_pixel(out, reasons.at(x, y, i, owner), scene);
         before = ',';
     }
     if (before == '[') out += before;
@@ -185,8 +190,7 @@ std::string why_text(const Reasons& reasons, int x, int y, const Scene& scene, L
     const std::string pixel = std::to_string(x) + "," + std::to_string(y);
     const auto owner = reasons.owner(x, y);
     std::string text = std::string(Bilingual{"pixel ", "пиксель "}.in(language)) + pixel + ": ";
-    text += owner ? sentence(reasons.at(x, y, *owner, owner), scene, language)
-                  : std::string(Bilingual{"no polygon shows", "не виден ни один многоугольник"}.in(language));
+    text += sentence_of_owner(reasons, x, y, owner, scene, language);
     text += '\n';
     for (int i = 0; i < int(scene.polygons.size()); ++i) {
         if (i != owner) text += "  " + sentence(reasons.at(x, y, i, owner), scene, language) + '\n';

@@ -45,6 +45,12 @@
 ///     history_why(h, step, is_later, language)
 ///                            makes the reason why the pixel has the colour that this step painted, or why it will
 ///                            have it
+///     history_holding(h)     makes {"owner":P|null,"holding":[P,...]}: the places in the scene of the owner and of all
+///                            polygons that hold the pixel's centre; nothing for a run of curves, or of a method whose
+///                            rule is not the picture rule
+///     history_reason(h, polygon, language)
+///                            makes what vidno-why/1 has of the polygon with this place, and on the next line its
+///                            sentence; for -1 null, and that no polygon shows
 ///
 /// The following are about the step that is shown, at first 0. A run of curves has no screen: for it they give what an
 /// empty one has.
@@ -68,8 +74,11 @@
 /// Bytes, pixels and windows stay where they are until the next call.
 
 #include <map>
+#include <memory>
 #include <vector>
 
+#include "choice/method.h"
+#include "proof/why.h"
 #include "replay/replay.h"
 #include "say/decision.h"
 #include "say/notes_in_play.h"
@@ -97,6 +106,14 @@ bool read_on(int number, void (*read)(Replay&, std::string& request)) {
     return is_read;
 }
 
+/// Why a pixel shows what it shows, by the picture rule.
+struct PixelReasons {
+    Reasons reasons;
+    std::optional<int> owner;
+
+    PixelReasons(const Scene& scene, Pixel pixel) : reasons(scene), owner(reasons.owner(pixel.x, pixel.y)) {}
+};
+
 /// A pixel that is followed through a trace.
 struct Followed {
     int trace;
@@ -104,6 +121,7 @@ struct Followed {
     say::PixelWatch watch;
     std::uint64_t seen = 0;                                       // the last step that was read
     std::vector<std::pair<std::uint64_t, say::Outcome>> steps{};  // that concern the pixel
+    std::unique_ptr<const PixelReasons> reasons{};                // once they were asked for
 };
 
 /// Values in which no polygon is named by its place.
@@ -191,6 +209,41 @@ void read_step(Followed& history, Text& out, bool& is_first) {
     out += std::string_view(R"(","under":)");
     append_heading(out, history.watch.heading(event), of.header());
     out += '}';
+}
+
+const PixelReasons& reasons_of(Followed& history, const Scene& scene) {
+    if (!history.reasons) history.reasons = std::make_unique<PixelReasons>(scene, history.pixel);
+    return *history.reasons;
+}
+
+void append_holding(Text& out, Followed& history, const TraceHeader& header) {
+    if (choice_of(header.method).rule.rule != picture_rule.rule) return;
+    const auto& [reasons, owner] = reasons_of(history, header.scene);
+    out += std::string_view(R"({"owner":)");
+    owner ? append_integer(out, *owner) : void(out += std::string_view("null"));
+    out += std::string_view(R"(,"holding":)");
+    char before = '[';
+    for (const int place : reasons.holding(history.pixel.x, history.pixel.y)) {
+        out += before;
+        append_integer(out, place);
+        before = ',';
+    }
+    if (before == '[') out += before;
+    out += std::string_view("]}");
+}
+
+void append_reason(Text& out, Followed& history, const Scene& scene, std::optional<int> polygon, Language language) {
+    const auto& [reasons, owner] = reasons_of(history, scene);
+    const auto [x, y] = history.pixel;
+    if (!polygon) {
+        out += std::string_view("null\n");
+        out += sentence_of_owner(reasons, x, y, std::nullopt, scene, language);
+        return;
+    }
+    const AtPixel found = reasons.at(x, y, *polygon, owner);
+    append_at_pixel(out, found, scene);
+    out += '\n';
+    out += sentence(found, scene, language);
 }
 
 /// The screen of a run of polygons.
@@ -365,6 +418,23 @@ extern "C" {
         const auto [event, after] = replay.look_at(step);
         vidno::append_statement(page.made, vidno::say::why(event, std::get<vidno::State>(after), followed.pixel,
                                                            wrong_at, vidno::Language(language), is_later));
+    });
+}
+
+[[clang::export_name("history_holding")]] void vidno_history_holding(int history) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        vidno::Followed& followed = vidno::histories().at(history);
+        const auto* header = std::get_if<vidno::TraceHeader>(&vidno::replay(followed.trace).header());
+        if (header != nullptr) vidno::append_holding(page.made, followed, *header);
+    });
+}
+
+[[clang::export_name("history_reason")]] void vidno_history_reason(int history, int polygon, int language) {
+    vidno::attempt([&](vidno::Exchange& page) {
+        vidno::Followed& followed = vidno::histories().at(history);
+        const auto& header = std::get<vidno::TraceHeader>(vidno::replay(followed.trace).header());
+        const auto place = polygon < 0 ? std::nullopt : std::optional(polygon);
+        vidno::append_reason(page.made, followed, header.scene, place, vidno::Language(language));
     });
 }
 
