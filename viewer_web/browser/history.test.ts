@@ -24,12 +24,12 @@ async function click(page: Page, x: number, y: number): Promise<void> {
 
 const stepsIn = (page: Page): Promise<readonly number[]> =>
   page
-    .locator('vidno-history li')
+    .locator('vidno-history .entries li')
     .evaluateAll((items) => items.map((item) => Number((item as HTMLElement).dataset['step'])));
 
 /** Whether the entry of a step is scrolled into view in its list. */
 const inSight = (page: Page, step: number): Promise<boolean> =>
-  page.locator(`vidno-history li[data-step="${step}"]`).evaluate((item) => {
+  page.locator(`vidno-history .entries li[data-step="${step}"]`).evaluate((item) => {
     const box = item.closest('.entries')?.getBoundingClientRect();
     const { top, bottom } = item.getBoundingClientRect();
     return box !== undefined && top >= box.top && bottom <= box.bottom + 1;
@@ -54,12 +54,12 @@ describe('the history of a pixel', () => {
     await opened(page, 'small.jsonl', small);
     await click(page, 4, 0);
     const steps = await stepsIn(page);
-    const entry = page.locator('vidno-history li button');
+    const entry = page.locator('vidno-history .entries li button');
     await entry.nth(5).click();
     expect((await shown(page)).step).toBe(steps[5]);
     for (const step of [steps[20], steps[60], steps[2], steps.at(-1)]) {
       await goTo(page, step ?? 0);
-      const now = page.locator('vidno-history li.now');
+      const now = page.locator('vidno-history .entries li.now');
       expect(await now.getAttribute('data-step')).toBe(String(step));
       expect(await now.locator('[aria-current=step]').count()).toBe(1);
       expect(await inSight(page, step ?? 0)).toBe(true);
@@ -84,7 +84,7 @@ describe('the history of a pixel', () => {
     await page.locator('vidno-history .last').focus();
     await page.keyboard.press('Enter');
     expect((await shown(page)).step).toBe(94);
-    await page.locator('vidno-history li button[tabindex="0"]').focus();
+    await page.locator('vidno-history .entries li button[tabindex="0"]').focus();
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Enter');
     expect((await shown(page)).step).toBe(93);

@@ -43,12 +43,17 @@ export interface View {
   readonly targets?: readonly Target[];
   /** The marks of the decisions worth looking at. */
   readonly found?: readonly Mark[];
+  /** The marks of the reason that the reader looks at. */
+  readonly explained?: readonly Mark[];
   /** Whether a lecture hall sees it, where nobody scrolls. */
   readonly hall?: boolean;
 }
 
 /** The parts of a view that the reader chooses, as opposed to those from the trace. */
-export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found' | 'hall'>;
+export type Choice = Pick<
+  View,
+  'language' | 'pixel' | 'pointed' | 'asked' | 'found' | 'explained' | 'hall'
+>;
 
 export function viewOf(trace: Trace, step: number, choice: Choice): View {
   const { header, timeline } = trace;

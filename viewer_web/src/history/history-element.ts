@@ -23,6 +23,7 @@ import { grouped, shownAround } from './groups.js';
 import type { Group } from './groups.js';
 import type { History } from './history.js';
 import { historyStyle } from './history.style.js';
+import './why-element.js';
 
 const signs = { pass: '✓', fail: '✗', wrong: '!', note: '·' } as const;
 
@@ -60,7 +61,13 @@ export class HistoryElement extends LitElement {
     const { entries } = history;
     const [first, end] = shownAround(this.centre, entries.length);
     return html`
-      ${this.why(history)} ${this.head(history)}
+      ${this.why(history)}
+      <vidno-why
+        .history=${history}
+        .language=${this.view.language}
+        .pointed=${this.view.pointed}
+      ></vidno-why>
+      ${this.head(history)}
       <div
         class="entries"
         aria-busy=${history.complete ? 'false' : 'true'}

@@ -6,6 +6,7 @@ export const historyStyle = css`
     display: flex;
     flex-direction: column;
     min-height: 0;
+    overflow: auto; /* a low panel scrolls as a whole */
   }
   .hint {
     padding: 0.75rem;
@@ -38,7 +39,7 @@ export const historyStyle = css`
   .entries {
     position: relative;
     flex: 1;
-    min-height: 0;
+    min-height: 5rem;
     overflow: auto;
     padding-bottom: 0.75rem;
     scrollbar-width: thin;

@@ -6,6 +6,7 @@ import type { Trace } from '../replay/trace.js';
 import { engine } from '../replay/engine.js';
 import { outcomes } from './entry.js';
 import type { Entry } from './entry.js';
+import type { AtPixel, Holding, Reason } from './reason.js';
 
 const atOnce = 512;
 
@@ -22,6 +23,7 @@ export class History {
   private readonly number: number;
   private seen = 0;
   private last: Entry | null = null;
+  private readonly known = new Map<string, Reason>();
 
   constructor(
     readonly trace: Trace,
@@ -83,6 +85,28 @@ export class History {
     const isLater = step > now ? 1 : 0;
     engine().exports.history_why(this.number, step, isLater, languages.indexOf(language));
     return engine().made();
+  }
+
+  /** The polygons that hold the pixel's centre; null where the picture does not follow the picture rule. */
+  holding(): Holding | null {
+    engine().exports.history_holding(this.number);
+    const made = engine().made();
+    return made === '' ? null : (JSON.parse(made) as Holding);
+  }
+
+  /** Why the polygon with this place in the scene shows at the pixel or not; for null, that no polygon shows. */
+  reason(polygon: number | null, language: Language): Reason {
+    const key = `${polygon ?? ''} ${language}`;
+    const reason = this.known.get(key) ?? this.makeReason(polygon ?? -1, language);
+    this.known.set(key, reason);
+    return reason;
+  }
+
+  private makeReason(polygon: number, language: Language): Reason {
+    engine().exports.history_reason(this.number, polygon, languages.indexOf(language));
+    const made = engine().made();
+    const end = made.indexOf('\n'); // an id may contain another one
+    return { said: made.slice(end + 1), at: JSON.parse(made.slice(0, end)) as AtPixel | null };
   }
 
   /** The index of the last entry at a step or before it, or -1. */

@@ -46,6 +46,7 @@ export type SolidTexts = Texts['solid'];
 export type StripTexts = Texts['strip'];
 export type ZoomTexts = StripTexts['zoom'];
 export type TravelTexts = Texts['travel'];
+export type WhyTexts = Texts['why'];
 export type WordTexts = Texts['words'];
 export type TourTexts = Texts['tour'];
 

@@ -27,7 +27,8 @@ export type Role =
   | 'wrong'
   | 'zero'
   | 'narrow'
-  | 'margin';
+  | 'margin'
+  | 'reach';
 
 interface PathMark {
   readonly kind: 'path';

@@ -103,6 +103,7 @@ export const marksStyle = css`
   .casing.clip-new,
   .casing.window,
   .casing.edge,
+  .casing.reach,
   .casing.wrong {
     stroke: #ffffff;
     stroke-width: 5;
@@ -110,6 +111,11 @@ export const marksStyle = css`
   }
   .casing.wrong {
     fill: none;
+  }
+  .reach {
+    stroke: #10131c;
+    stroke-width: 2.5;
+    stroke-linecap: butt;
   }
   .chosen,
   .cursor {

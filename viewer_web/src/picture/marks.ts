@@ -42,5 +42,6 @@ function pointedMarks(view: View): readonly Mark[] {
 export function marksOf(view: View, sight: Sight): readonly Mark[] {
   const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
   const own = algorithmOf(view.header).marks(view, sight);
-  return [...own, ...(view.found ?? []), ...pointedMarks(view), ...chosen].filter(isFinite);
+  const { found = [], explained = [] } = view;
+  return [...own, ...found, ...pointedMarks(view), ...chosen, ...explained].filter(isFinite);
 }

@@ -35,6 +35,8 @@ import {
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
+import type { AtPixel } from '../history/reason.js';
+import { reasonMarks } from '../history/reason-marks.js';
 import { hasSolid, sideKeys, sideName, whyNoSolid } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
 import { FirstTerms } from '../i18n/glossary.js';
@@ -176,7 +178,7 @@ const playerStyle = css`
   :host([layout='lesson']) .beside:has(> .side.solid) {
     --caption: 5.3em;
   }
-  .beside:has(> .side:is(.exact, .predict)) {
+  .beside:has(> .side:is(.exact, .predict, .pixel)) {
     --side-share: 2fr;
   }
   /* Listing, scene and state below each other. They scroll if there is too little room. */
@@ -383,6 +385,9 @@ const playerStyle = css`
     }
     .beside:not(:has(> .scene)):has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
       grid-template-rows: 22rem 19rem;
+    }
+    .beside:not(:has(> .scene)):has(> .side.pixel) {
+      grid-template-rows: 32rem 19rem;
     }
     .beside:has(> .scene),
     .beside:has(> .scene):not(:has(> .side)) {
@@ -697,6 +702,8 @@ export class PlayerElement extends StageElement {
   /** The query of the outline's search, and the steps found. */
   @state() private sought = '';
   @state() private hits: readonly number[] = [];
+  /** What the reader looks at among the reasons of the chosen pixel. */
+  @state() private explained: AtPixel | null = null;
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   /** Whether the scene is being edited, beside listing and state. */
@@ -718,6 +725,16 @@ export class PlayerElement extends StageElement {
     const { exact, numbers } = texts[this.language];
     const words = { say: exact.margin, point: numbers.point };
     return marginMarks(margin, trace.header.scene.area, words);
+  }
+
+  /** The marks of a reason, while its panel is shown and no question is open that they would answer. */
+  private reasonMarks(): readonly Mark[] | undefined {
+    const { trace, explained, side, language } = this;
+    const { history } = this.chosen;
+    const isSeen = side === 'pixel' && !this.predictor.isOpen;
+    if (trace === null || history === null || explained === null || !isSeen) return undefined;
+    const { short } = texts[language].numbers;
+    return reasonMarks(explained, history.pixel, trace.header.scene, short);
   }
 
   override connectedCallback(): void {
@@ -745,6 +762,7 @@ export class PlayerElement extends StageElement {
     if (this.trace !== null && this.step < this.length) this.welcome = false;
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
+    if (changed.has('trace') || changed.has('pixel') || changed.has('side')) this.explained = null;
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
     this.toggleAttribute('asking', this.side === 'predict');
     const { language, trace } = this;
@@ -755,7 +773,9 @@ export class PlayerElement extends StageElement {
     const found = findings ? findingMarks(findings, step) : this.marginMarks();
     const { presenting: hall } = this;
     const pointed = this.pointing.at;
-    const choice = { language, pixel, pointed, asked, hall, ...(found && { found }) };
+    const explained = this.reasonMarks();
+    const marks = { ...(found && { found }), ...(explained && { explained }) };
+    const choice = { language, pixel, pointed, asked, hall, ...marks };
     const view = trace && viewOf(trace, step, choice);
     this.view = view && { ...view, targets: this.predictor.targetsIn(view) };
   }
@@ -1040,6 +1060,7 @@ export class PlayerElement extends StageElement {
           @search=${({ detail }: CustomEvent<string>) => (this.sought = detail)}
           @hits=${({ detail }: CustomEvent<readonly number[]>) => (this.hits = detail)}
           @forget=${() => this.chosen.choose(null)}
+          @explain=${({ detail }: CustomEvent<AtPixel | null>) => (this.explained = detail)}
           .edited=${this.editing === null ? null : this.isEdited}
           @edit=${() => this.turnEditor()}
         ></vidno-side>

@@ -45,7 +45,7 @@ export const presenterStyle = css`
     :host([presenting]) .beside:has(> .solid) {
       --side-share: 1.5fr;
     }
-    :host([presenting]) .beside:has(> .side:is(.predict, .exact)) {
+    :host([presenting]) .beside:has(> .side:is(.predict, .exact, .pixel)) {
       --side-share: 2.4fr;
     }
     :host([presenting]) .beside:has(> .scene) {

@@ -24,6 +24,8 @@ interface Exports extends Basics {
   history_read(history: number, until: number): void;
   history_sentence(history: number, step: number, outcome: number, language: number): void;
   history_why(history: number, step: number, isLater: number, language: number): void;
+  history_holding(history: number): void;
+  history_reason(history: number, polygon: number, language: number): void;
   painted_at(trace: number): number;
   divided_at(trace: number): number;
   is_ground(trace: number): number;

@@ -27,6 +27,7 @@ import { scene } from './scene.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
+import { why } from './why.js';
 import { tour, words } from './words.js';
 
 export const texts = {
@@ -45,6 +46,7 @@ export const texts = {
   places,
   reasons,
   history,
+  why,
   travel,
   strip,
   bookmarks,

@@ -18,6 +18,7 @@ import { scene } from './scene.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
+import { why } from './why.js';
 import { tour, words } from './words.js';
 
 export const texts: Texts = {
@@ -26,6 +27,7 @@ export const texts: Texts = {
   places,
   reasons,
   history,
+  why,
   travel,
   strip,
   bookmarks,
