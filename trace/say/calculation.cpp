@@ -1,9 +1,9 @@
 #include <map>
 
+#include "format/rational_text.h"
 #include "say/decision.h"
 #include "say/numbers.h"
 #include "say/words.h"
-#include "scene/rational_text.h"
 
 namespace vidno::say {
 

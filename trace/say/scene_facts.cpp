@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "format/rational_text.h"
 #include "scene/rational_curves.h"
 #include "scene/rational_polygon.h"
-#include "scene/rational_text.h"
 #include "vidno/kernels/machine.h"
 
 namespace vidno {
