@@ -121,6 +121,9 @@ struct Followed {
     say::PixelWatch watch;
     std::uint64_t seen = 0;                                       // the last step that was read
     std::vector<std::pair<std::uint64_t, say::Outcome>> steps{};  // that concern the pixel
+    std::optional<say::GoesWrong> goes_wrong{};                   // as far as the page has asked
+    std::uint64_t judged = 0;                                     // the last step that it saw
+    std::size_t heard = 0;                                        // the steps of the history that it heard
     std::unique_ptr<const PixelReasons> reasons{};                // once they were asked for
 };
 
@@ -143,24 +146,30 @@ void append_statement(Text& out, const say::Statement& said) {
     append_integer(out, said.pixel->second);
 }
 
-/// Where the run goes wrong about the pixel before a step of its history.
-std::optional<std::uint64_t> goes_wrong_before(const Followed& history, std::uint64_t step) {
+/// Where the run goes wrong about the pixel before a step of its history. While the page reads a history, it asks about
+/// one step after the other, with each frame: what was seen is not seen again.
+std::optional<std::uint64_t> goes_wrong_before(Followed& history, std::uint64_t step) {
     Replay& of = replay(history.trace);
     const auto& header = std::get<TraceHeader>(of.header());
     if (!say::can_be_wrong(header)) return std::nullopt;
-    say::GoesWrong goes_wrong(history.pixel, header);
-    for (std::uint64_t each = 1; each < step; ++each) {
-        if (of.names()[each - 1] != event_place<event::Discard> || !goes_wrong.needs(of.event(each))) continue;
-        const auto [event, after] = of.look_at(each);
-        goes_wrong.see(event, std::get<State>(after));
+    if (!history.goes_wrong || step <= history.judged) {
+        history.goes_wrong.emplace(history.pixel, header);
+        history.judged = history.heard = 0;
     }
-    for (const auto& [each, outcome] : history.steps) {
-        if (each >= step) break;
+    for (; history.judged + 1 < step; ++history.judged) {
+        const std::uint64_t next = history.judged + 1;
+        if (of.names()[next - 1] != event_place<event::Discard> || !history.goes_wrong->needs(of.event(next))) continue;
+        const auto [event, after] = of.look_at(next);
+        history.goes_wrong->see(event, std::get<State>(after));
+    }
+    for (; history.heard < history.steps.size() && history.steps[history.heard].first < step; ++history.heard) {
+        const auto& [each, outcome] = history.steps[history.heard];
         if (outcome == say::Outcome::paint) continue;
         const auto [event, after] = of.look_at(each);
-        goes_wrong.hear(each, say::sentence_for_pixel(event, outcome, std::get<State>(after), Language::english));
+        history.goes_wrong->hear(each,
+                                 say::sentence_for_pixel(event, outcome, std::get<State>(after), Language::english));
     }
-    return goes_wrong.step(std::get<State>(of.look_at(step).after));
+    return history.goes_wrong->step(std::get<State>(of.look_at(step).after));
 }
 
 std::map<int, Followed>& histories() {
@@ -411,7 +420,7 @@ extern "C" {
 [[clang::export_name("history_why")]] void vidno_history_why(int history, std::size_t step, bool is_later,
                                                              int language) {
     vidno::attempt([&](vidno::Exchange& page) {
-        const vidno::Followed& followed = vidno::histories().at(history);
+        vidno::Followed& followed = vidno::histories().at(history);
         vidno::Replay& replay = vidno::replay(followed.trace);
         if (!std::holds_alternative<vidno::TraceHeader>(replay.header())) return;
         const auto wrong_at = vidno::goes_wrong_before(followed, step);
