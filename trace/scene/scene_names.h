@@ -56,6 +56,7 @@ inline constexpr auto scene_names = std::to_array<Bilingual>({
     {"Four curves by hand", "Четыре кривые вручную"},
     {"The side of a surface hides", "Бок поверхности заслоняет"},
     {"A peak between two samples", "Пик между двумя отсчётами"},
+    {"A peak, turned and tilted", "Пик после поворота и наклона"},
     {"The same, sampled where it bends", "Тот же пик с отсчётами там, где он изгибается"},
     {"A curve that touches the horizon", "Кривая, которая касается горизонта"},
     {"Waves and a pit", "Волны и яма"},
