@@ -77,6 +77,22 @@ describe('the listing', () => {
     await expect.poll(isInSight).toBe(true);
   });
 
+  it('has the names of the text below the procedures, on request', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const names = page.locator('vidno-listing details');
+    expect(await names.locator('dl').isVisible()).toBe(false);
+    await names.locator('summary').click();
+    const row = names.locator('dt', { hasText: 'псевдоскалярное произведение' });
+    expect(await row.locator('xpath=following-sibling::dd[1]').textContent()).toContain('u × v');
+    const [wide, panel] = await Promise.all(
+      [names.locator('dl'), page.locator('vidno-listing')].map((each) => each.boundingBox()),
+    );
+    expect(wide?.width).toBeLessThanOrEqual(panel?.width ?? 0);
+    expect(await violations(page)).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+
   it('stays where the reader has scrolled to until the current line changes', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);

@@ -12,6 +12,7 @@ import { texts } from '../i18n/index.js';
 import { deviationOf } from '../trace/editions.js';
 import { listingsOf, wrongLines } from './listings.js';
 import type { Line, Listing } from './listings.js';
+import { textNames } from './text-names.js';
 import './wrong-lines.js';
 import type { WrongLine, WrongLinesElement } from './wrong-lines.js';
 
@@ -196,6 +197,32 @@ const listingStyle = css`
     text-decoration: none;
     cursor: help;
   }
+  details {
+    margin: 0.9rem 0.75rem 0;
+    color: var(--soft);
+    font-size: 0.75rem;
+  }
+  summary {
+    cursor: pointer;
+  }
+  dl {
+    display: grid;
+    grid-template-columns: minmax(0, 2fr) minmax(0, 3fr);
+    gap: 0.3rem 0.9rem;
+    margin-top: 0.4rem;
+    overflow-wrap: anywhere;
+  }
+  dt,
+  dd b {
+    color: var(--ink);
+    font-weight: 600;
+  }
+  dd {
+    margin: 0;
+  }
+  :host([hall]) details {
+    display: none;
+  }
   :host([hall]) .head {
     height: 1.6rem;
   }
@@ -227,7 +254,7 @@ const listingStyle = css`
   }
   /* Only the running procedures: those of the line and of its callers. */
   @media print {
-    .mark {
+    :is(.mark, details) {
       display: none;
     }
     .procedures {
@@ -349,8 +376,27 @@ export class ListingElement extends LitElement {
       role="region"
       aria-label=${this.view.texts.listing}
     >
-      ${this.listings.map((listing) => this.procedure(listing))}
+      ${this.listings.map((listing) => this.procedure(listing))} ${this.names()}
     </div>`;
+  }
+
+  private names(): unknown {
+    const { header, language, texts } = this.view;
+    return guard(
+      [header.method, language],
+      () => html`
+        <details>
+          <summary>${texts.textNames}</summary>
+          <dl>
+            ${textNames(header.method, language).map(
+              ({ name, term, line }) =>
+                html`<dt lang="ru">${name}</dt>
+                  <dd><b>${term}</b> ${line}</dd>`,
+            )}
+          </dl>
+        </details>
+      `,
+    );
   }
 
   private readonly follower = new Follower();

@@ -75,6 +75,7 @@ export const page = {
   },
   source: 'The procedure in C++',
   callStack: 'Calls',
+  textNames: 'Names in the text',
   state: 'State',
   first: 'First step',
   back: 'Step back',

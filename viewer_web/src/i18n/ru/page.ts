@@ -68,6 +68,7 @@ export const page: PageTexts = {
   },
   source: 'Процедура на C++',
   callStack: 'Вызовы',
+  textNames: 'Имена в тексте',
   state: 'Состояние',
   first: 'В начало',
   back: 'Шаг назад',
