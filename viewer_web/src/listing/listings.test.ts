@@ -40,6 +40,19 @@ describe('the listings', () => {
     expect(textOf('printed:x-w2+x-w3', 'PW1')).toBe(textOf('printed', 'PW1'));
   });
 
+  it('round what the printed text compares for equality, which is no defect of its own', () => {
+    const linesOf = (edition: Header['edition']): readonly (readonly [string, readonly string[]])[] =>
+      listingsOf({ method: 'zbuffer', edition, detail }, 'en')
+        .flatMap(({ lines }) => lines)
+        .filter(({ at }) => at === 'Z7' || at === 'Z9')
+        .map(({ text, defects }) => [text, defects]);
+    expect(linesOf('printed')).toEqual([
+      ['if rnd yₜ = rnd ySnext:', []],
+      ['for each edge of S with rnd y₁ = rnd yₜ = rnd y₂: ShowLine(yₜ, (x₁, z₁), (x₂, z₂))', []],
+    ]);
+    expect(linesOf('printed:x-z1')).toEqual(linesOf('corrected'));
+  });
+
   it('show the line of a usual mistake as it is often written', () => {
     const lines = listingsOf({ method: 'warnock', edition: 'one-list', detail }, 'en').flatMap(
       (listing) => listing.lines,

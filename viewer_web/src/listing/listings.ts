@@ -51,9 +51,11 @@ function line(source: SourceLine, edition: Edition, language: Language): Omit<Li
   const mistaken = deviation?.reads[deviation.lines.indexOf(at)];
   if (mistaken !== undefined) return { at, indent, text: mistaken[language], defects: ['≠'] };
   const isOf = (id: string): boolean => hasDefect(edition, id.toLowerCase());
-  const defects = edition === 'printed' ? printed?.defects : printed?.defects.filter(isOf);
-  const shown = printed !== undefined && defects?.length ? printed : source;
-  return { at, indent, text: shown[language], defects: defects ?? [] };
+  // A line as printed without a defect of its own, such as a rounding, belongs to the whole text alone.
+  const isWhole = edition === 'printed';
+  const defects = (printed?.defects ?? []).filter((id) => isWhole || isOf(id));
+  const shown = printed !== undefined && (isWhole || defects.length > 0) ? printed : source;
+  return { at, indent, text: shown[language], defects };
 }
 
 /** The procedures of a method, in the order of their calls. */
