@@ -593,7 +593,7 @@ TEST_CASE("why names the decision that made a run wrong at the pixel") {
     CHECK(wrong.status == 1);
     CHECK(wrong.text.find(
               "the run paints #0072b2 where the colour must be #e69f00: the decision at step 42, L6 (ShowLine) is "
-              "wrong: its operands had drifted before\n") != std::string::npos);
+              "wrong: its operands had already drifted\n") != std::string::npos);
     const Outcome right = program("why " + failure + " --pixel 0,0 --kernel filtered");
     CHECK(right.status == 0);
     CHECK(right.text.find("the run paints") == std::string::npos);

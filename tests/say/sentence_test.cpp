@@ -148,11 +148,28 @@ TEST_CASE("nouns have the plural forms of the language") {
 TEST_CASE("edges that end are named, one or several") {
     const TraceHeader header = header_of(Method::zbuffer);
     const State state(header);
-    const auto drop = [&](const std::vector<int>& edges) { return said(event::AelDrop{Line::Z16, edges, 7.5}, state); };
-    CHECK(drop({1}) == Both("Edge 1 ends here and leaves the AEL; the next change is at 7.5.",
-                            "Ребро 1 заканчивается и удаляется из AEL; следующее изменение — на отметке 7,5."));
+    const auto drop = [&](const std::vector<int>& edges) { return said(event::AelDrop{Line::Z16, edges, 7}, state); };
+    CHECK(drop({1}) == Both("Edge 1 ends here and leaves the AEL; the next change is in row 7.",
+                            "Ребро 1 заканчивается и удаляется из AEL; следующее изменение — в строке 7."));
     CHECK(drop({2, 1, 0}).first.starts_with("Edges 2, 1 and 0 end here and leave the AEL"));
     CHECK(drop({2, 1, 0}).second.starts_with("Рёбра 2, 1 и 0 заканчиваются и удаляются из AEL"));
+}
+
+TEST_CASE("an edge has rows, but y in the printed text") {
+    TraceHeader header = header_of(Method::zbuffer);
+    const auto join = [&](double until) {
+        return said(event::AelAdd{Line::Z8, 2, 3., 0.5, until, 1., 0.25}, State(header));
+    };
+    const auto leave = [&](double next) { return said(event::Leave{Line::Z10, {2}, next}, State(header)); };
+    CHECK(join(7) == Both("Edge 2 begins: it joins the AEL at x = 3, z = 0.5; its last row is 7.",
+                          "Ребро 2 начинается: входит в AEL с x = 3, z = 0,5; последняя строка — 7."));
+    CHECK(leave(4) == Both("Edge 2 leaves S; the next begins in row 4.",
+                           "Ребро 2 удаляется из S; следующее начинается в строке 4."));
+    header.edition = Edition::printed;
+    CHECK(join(7.5) == Both("Edge 2 begins: it joins the AEL at x = 3, z = 0.5 and ends at y = 7.5.",
+                            "Ребро 2 начинается: входит в AEL с x = 3, z = 0,5 и кончается при y = 7,5."));
+    CHECK(leave(4.25) == Both("Edge 2 leaves S; the next begins at y = 4.25.",
+                              "Ребро 2 удаляется из S; следующее начинается при y = 4,25."));
 }
 
 TEST_CASE("the mark of a shortened number stands in place of the equals sign") {

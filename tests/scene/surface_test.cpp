@@ -222,7 +222,7 @@ TEST_CASE("Surface: with a tolerance a gap begins and ends on the right columns"
     CHECK(columns_of_pieces({{}, {sampled(surface)[0]}}) == PieceColumns{{{0, 8}, {10, 12, 16}}});
 }
 
-TEST_CASE("Surface: a sample without a height is null, and a curve with gaps is read again as it was written") {
+TEST_CASE("Surface: a sample without a y is null, and a curve with gaps is read again as it was written") {
     const std::string text = R"({"format":"vidno-surface/1","name":"","window":{"x":0,"y":0,"width":9,"height":9},)"
                              R"("curves":[[[0,null],[1,2],[3,2.5],[4,null],[6,1],[8,1]],[[0,null],[8,null]]]})";
     const Surface surface = read_surface(text, "s.json");
@@ -260,9 +260,9 @@ TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     CHECK(curves("[[[0,1]]]") == "s.json: /curves/0: fewer than two samples");
     CHECK(curves("[[[0,1],[0,2]]]") == "s.json: /curves/0/1/0: not right of the sample before");
     CHECK(curves("[[[0,1],[9,2]]]") == "s.json: /curves/0/1/0: not from 0 to 8");
-    CHECK(curves("[[[0,1],[2]]]") == "s.json: /curves/0/1: not a column and a height");
+    CHECK(curves("[[[0,1],[2]]]") == "s.json: /curves/0/1: not a column and a y");
     CHECK(curves("[[[0,1],[2,\"nan\"]]]").starts_with("s.json: /curves/0/1/1: not a hexadecimal number"));
-    CHECK(curves("[[[0,null],[2,null]],[[0,null],[1,null]]]") == "s.json: /curves: no sample has a height");
+    CHECK(curves("[[[0,null],[2,null]],[[0,null],[1,null]]]") == "s.json: /curves: no sample has a y");
 }
 
 TEST_CASE("Surface: format, name and window have defaults") {

@@ -34,7 +34,7 @@ std::string decision_text(const Finding& finding, Language language) {
                " неверно: " + (rounded ? "эта операция округлена" : "её операнды уже отошли от точных");
     }
     return "the decision at step " + place +
-           " is wrong: " + (rounded ? "its operation rounded" : "its operands had drifted before");
+           " is wrong: " + (rounded ? "its operation rounded" : "its operands had already drifted");
 }
 
 /// Runs the method and compares the pixel with the picture rule. Returns the exit status.

@@ -95,13 +95,13 @@ private:
         const auto reached = facts.horizons(curve, x);
         if (!reached) {
             return say("over column {} it is visible: it is at {}, and there is no horizon.",
-                       "над столбцом {} она видна: она на высоте {}, а горизонта там нет.", x, *y);
+                       "над столбцом {} она видна: её ордината {}, а горизонта там нет.", x, *y);
         }
         const Bilingual is = facts.flag(curve, x) == VisibilityFlag::hidden ? Bilingual{"hidden", "не видна"}
                                                                             : Bilingual{"visible", "видна"};
         return say("over column {} it is {}: it is at {}, the horizons are at {} and {}.",
-                   "над столбцом {} она {}: она на высоте {}, горизонты на {} и {}.", x, in(is), *y, reached->upper,
-                   reached->lower);
+                   "над столбцом {} она {}: её ордината {}, ординаты горизонтов {} и {}.", x, in(is), *y,
+                   reached->upper, reached->lower);
     }
 };
 

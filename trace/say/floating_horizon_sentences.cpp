@@ -31,7 +31,7 @@ struct CurveSentences : CurveWords {
 
     Said operator()(const event::Visibility& e) const {
         const auto* height = after().height ? after().height->get_if<event::Height>() : nullptr;
-        const Said there = height && height->x == e.x ? say(" at {}", " на высоте {}", height->y) : "";
+        const Said there = height && height->x == e.x ? say(" at {}", " с ординатой {}", height->y) : "";
         return say("Over column {} the curve{} is {}.", "Над столбцом {} кривая{} {}.", e.x, there,
                    in(flag_of(e.flag)));
     }
@@ -82,21 +82,20 @@ struct CurveSentences : CurveWords {
     Said operator()(const event::Height& e) const {
         if (!e.upper || !e.lower) {
             return say("Over column {} the curve is at {}; no horizon is there.",
-                       "Над столбцом {} кривая на высоте {}; горизонта там нет.", e.x, e.y);
+                       "Над столбцом {} ордината кривой {}; горизонта там нет.", e.x, e.y);
         }
         const auto [own, above] = apart(e.y, *e.upper, language());
         const auto below = apart(e.y, *e.lower, language()).second;
         return say("Over column {} the curve is at {}; the upper horizon is at {}, the lower one at {}.",
-                   "Над столбцом {} кривая на высоте {}; верхний горизонт на {}, нижний на {}.", e.x, own, above,
-                   below);
+                   "Над столбцом {} ордината кривой {}, верхнего горизонта {}, нижнего {}.", e.x, own, above, below);
     }
     Said operator()(const event::Raise& e) const {
-        return say("Over column {} the upper horizon moves to {}.", "Над столбцом {} верхний горизонт теперь на {}.",
-                   e.x, e.y);
+        return say("Over column {} the upper horizon moves to {}.",
+                   "Над столбцом {} ордината верхнего горизонта теперь {}.", e.x, e.y);
     }
     Said operator()(const event::Lower& e) const {
-        return say("Over column {} the lower horizon moves to {}.", "Над столбцом {} нижний горизонт теперь на {}.",
-                   e.x, e.y);
+        return say("Over column {} the lower horizon moves to {}.",
+                   "Над столбцом {} ордината нижнего горизонта теперь {}.", e.x, e.y);
     }
 
     // Notes

@@ -38,8 +38,12 @@ struct ZBufferSentences : PolygonWords {
         return say("The scanline is row {}, y = {}.", "Строка развёртки {}, y = {}.", e.row, e.y);
     }
     Said operator()(const event::AelAdd& e) const {
-        return say("Edge {} begins: it joins the AEL at x = {}, z = {}, until {}.",
-                   "Ребро {} начинается: входит в AEL с x = {}, z = {}, до отметки {}.", e.edge, e.x, e.z, e.until);
+        return has_rows() ? say("Edge {} begins: it joins the AEL at x = {}, z = {}; its last row is {}.",
+                                "Ребро {} начинается: входит в AEL с x = {}, z = {}; последняя строка — {}.", e.edge,
+                                e.x, e.z, e.until)
+                          : say("Edge {} begins: it joins the AEL at x = {}, z = {} and ends at y = {}.",
+                                "Ребро {} начинается: входит в AEL с x = {}, z = {} и кончается при y = {}.", e.edge,
+                                e.x, e.z, e.until);
     }
     Said operator()(const event::Horizontal& e) const {
         return say("Edge {} is horizontal: it is drawn at once and does not join the AEL.",
@@ -47,7 +51,9 @@ struct ZBufferSentences : PolygonWords {
     }
     Said operator()(const event::Leave& e) const {
         if (e.edges.empty()) return say("No edge leaves S.", "Из S ничего не удаляется.");
-        const Said next = unless_infinite(e.next, {"; the next begins at {}", "; следующее начинается на отметке {}"});
+        const Said next = unless_infinite(
+            e.next, has_rows() ? Bilingual{"; the next begins in row {}", "; следующее начинается в строке {}"}
+                               : Bilingual{"; the next begins at y = {}", "; следующее начинается при y = {}"});
         return several(e.edges) ? say("Edges {} leave S{}.", "Рёбра {} удаляются из S{}.", and_last(e.edges), next)
                                 : say("Edge {} leaves S{}.", "Ребро {} удаляется из S{}.", and_last(e.edges), next);
     }
@@ -154,6 +160,8 @@ struct ZBufferSentences : PolygonWords {
 
     // Parts of these
 
+    /// Whether edges begin and end in rows; in the printed text they do so at numbers.
+    bool has_rows() const { return header().edition != Edition::printed; }
     static bool several(const std::vector<int>& edges) { return edges.size() > 1; }
     static bool is_nan(const Value& value) {
         return value.fraction ? *value.fraction == "nan" : value.number != value.number;
@@ -173,7 +181,9 @@ struct ZBufferSentences : PolygonWords {
         return is_infinite ? "" : say(said.english, said.russian, next);
     }
     Said next_change(const Value& next) const {
-        return unless_infinite(next, {"; the next change is at {}", "; следующее изменение — на отметке {}"});
+        return unless_infinite(
+            next, has_rows() ? Bilingual{"; the next change is in row {}", "; следующее изменение — в строке {}"}
+                             : Bilingual{"; the next change is at y = {}", "; следующее изменение — при y = {}"});
     }
 };
 

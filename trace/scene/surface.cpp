@@ -117,7 +117,7 @@ public:
         } else {
             read_member("curves", [&](const JsonNode& node) { read_curves(node); });
             faults_.settle();
-            expect_some_point(root_.at("curves"), curves_.curves, "no sample has a height");
+            expect_some_point(root_.at("curves"), curves_.curves, "no sample has a y");
         }
         expect_few_samples(root_.at("curves"), sample_count(curves_));
         take_default_window();
@@ -205,7 +205,7 @@ private:
         for (std::size_t i = 0; i < node.size(); ++i) {
             faults_.attempt([&] {
                 const JsonNode sample = node.at(i);
-                if (sample.size() != 2) sample.refuse("not a column and a height");
+                if (sample.size() != 2) sample.refuse("not a column and a y");
                 const int x = sample.at(0u).whole_number(area.x, area.right() - 1);
                 if (!curve.samples.empty() && x <= curve.samples.back().x) {
                     sample.at(0u).refuse("not right of the sample before");

@@ -41,7 +41,9 @@ describe('the listings', () => {
   });
 
   it('round what the printed text compares for equality, which is no defect of its own', () => {
-    const linesOf = (edition: Header['edition']): readonly (readonly [string, readonly string[]])[] =>
+    const linesOf = (
+      edition: Header['edition'],
+    ): readonly (readonly [string, readonly string[]])[] =>
       listingsOf({ method: 'zbuffer', edition, detail }, 'en')
         .flatMap(({ lines }) => lines)
         .filter(({ at }) => at === 'Z7' || at === 'Z9')

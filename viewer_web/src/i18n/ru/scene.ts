@@ -134,9 +134,9 @@ export const scene: SceneTexts = {
     'has no function that could be sampled in other ways':
       'функции нет, поэтому других отсчётов взять нельзя',
     'fewer than two samples': 'меньше двух отсчётов',
-    'not a column and a height': 'не столбец и высота',
+    'not a column and a y': 'не столбец и ордината',
     'not finite at any sample': 'не имеет конечного значения ни в одном отсчёте',
-    'no sample has a height': 'ни у одного отсчёта нет высоты',
+    'no sample has a y': 'ни у одного отсчёта нет ординаты',
     'not right of the sample before': 'не правее предыдущего отсчёта',
     'no {} of this name': 'такого имени нет: {}',
     'not one of {}': 'не одно из {}',
