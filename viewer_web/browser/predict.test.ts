@@ -17,7 +17,7 @@ describe('a reader who predicts freely', () => {
     await form.getByText('Answer each part first.').waitFor();
     await form.getByRole('checkbox', { name: 'A', exact: true }).check();
     await form.getByRole('checkbox', { name: 'B', exact: true }).check();
-    await form.getByRole('radio', { name: 'A', exact: true }).check();
+    await form.getByRole('radio', { name: /^A / }).check();
     await form.getByRole('radio', { name: 'split' }).check();
     await form.getByRole('button', { name: 'Check' }).click();
     expect(await verdict(page)).toEqual(['✓ right', '✗ wrong', '✓ right', 'Not quite.']);
@@ -42,8 +42,8 @@ describe('a reader who predicts freely', () => {
 
     await next.click();
     await page.locator('vidno-question h3:focus').waitFor();
-    await form.getByRole('button', { name: 'Give up' }).click();
-    expect((await verdict(page)).at(-1)).toBe('Given up.');
+    await form.getByRole('button', { name: 'I don’t know' }).click();
+    expect((await verdict(page)).at(-1)).toBe('Not answered.');
     expect(await page.locator('vidno-predict .score b').first().textContent()).toBe(
       '0 of 2 right on the first try',
     );

@@ -79,6 +79,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   pop: ({ before, right, after }) => {
     const top = before.warnock?.stack.at(-1)?.window;
     expect(right['popped']).toEqual([top?.join(' ')]);
+    expect(right['waiting']).toEqual([String(after.warnock?.stack.length)]);
     expect(after.warnock?.window).toEqual(top);
   },
   relation: ({ trace, question, right }) => {

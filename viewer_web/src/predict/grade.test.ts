@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
-import { grade, isRight, typedNumber, typedRow } from './grade.js';
+import { grade, howWell, isRight, typedNumber, typedRow } from './grade.js';
 import type { Part } from './question.js';
 
 const window = async (): Promise<ReturnType<typeof questionFrom<'window'>>> =>
@@ -80,5 +80,14 @@ describe('a typed row', () => {
   it('contains only available values', () => {
     expect(typedRow(row('order', '01', '0'), '31')).toBeNull();
     expect(typedRow(row('list', '12x', 'x1'), '1 y')).toBeNull();
+  });
+});
+
+describe('the outcome of an answer', () => {
+  it('is right, partly right, wrong, or none, which is not wrong', () => {
+    expect(howWell([['a'], ['b']], [true, true])).toBe('right');
+    expect(howWell([['a'], ['b']], [true, false])).toBe('some');
+    expect(howWell([['a'], ['b']], [false, false])).toBe('wrong');
+    expect(howWell(null, [false, false])).toBe('givenUp');
   });
 });

@@ -40,6 +40,16 @@ export function grade({ parts }: Question, answer: Answer): readonly boolean[] {
   });
 }
 
+/** How well a question was answered: all parts, some or none; or not at all, which is not wrong. */
+export function howWell(
+  given: Answer | null,
+  right: readonly boolean[],
+): 'right' | 'some' | 'wrong' | 'givenUp' {
+  if (given === null) return 'givenUp';
+  if (right.every(Boolean)) return 'right';
+  return right.some(Boolean) ? 'some' : 'wrong';
+}
+
 /** The text for an empty row. */
 export const emptyRow = '-';
 

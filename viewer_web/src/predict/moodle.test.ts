@@ -131,16 +131,16 @@ describe('a question for Moodle', () => {
   it('includes the data for its answer: the window, its list, the polygons', async () => {
     const xml = await xmlOf(textOf('small.warnock.signs.jsonl'));
     expect(linesOf(xml, /^Step 4: the case of a window$/)).toEqual([
-      'The window (2, −1) 8 × 8 is examined. ProcessWindow sets hasSurround for a polygon only if it surrounds the window and the plane of no other is nearer at the four corners, not even where that other does not reach.',
+      'The window (2, −1) 8 × 8 is examined. ProcessWindow sets hasSurround for a polygon only if it surrounds the window and the plane of no other is nearer at the four corners, not even where that other does not reach. Beside each polygon are the depths of its plane at the upper corners, left and right, and then at the lower ones.',
       'Area: (2, −1) 5 × 4',
       'Window: (2, −1) 8 × 8',
       'List of active polygons (APL): A, B',
       'Polygon A: (1, −2, 0.1) (8, −2, 0.1) (8, 4, 0.1) (1, 4, 0.1)',
       'Polygon B: (2.5, −0.5, 0.3) (6, 0, 0.4) (4, 2.5, 0.2)',
-      'Which polygons stay in its list? Only their boxes are tested.',
+      'Which polygons stay in the window’s list? Only their boxes are tested.',
       'A',
       'B',
-      'Which polygon is found to hide all others?',
+      'Which polygon is found to hide all others in this window?',
       'Which case does Warnock’s algorithm take?',
     ]);
   });

@@ -10,10 +10,10 @@ import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../language/texts.js';
 import type { Command } from '../time/travel.js';
 import type { Header } from '../trace/header.js';
+import { howWell } from './grade.js';
 import type { Current, Predictor } from './predictor.js';
 import type { Kind } from './question.js';
 import './question-element.js';
-import { isRightAtFirst } from './score.js';
 import type { Answered, Score } from './score.js';
 
 const predictStyle = css`
@@ -131,6 +131,14 @@ const predictStyle = css`
     }
   }
 `;
+
+/** How the list of answers marks each of them. */
+const marks = {
+  right: ['good', '✓'],
+  some: ['bad', '✗'],
+  wrong: ['bad', '✗'],
+  givenUp: ['', '–'],
+} as const;
 
 /** The panel of predictions: the current question, the settings of questions, and the score. */
 @customElement('vidno-predict')
@@ -252,11 +260,11 @@ export class PredictElement extends LitElement {
 
   private answered(answered: Answered): TemplateResult {
     const { say } = this;
-    const isRight = isRightAtFirst(answered);
-    const how = answered.given === null ? 'givenUp' : isRight ? 'right' : 'wrong';
+    const how = howWell(answered.given, answered.right);
+    const [looks, mark] = marks[how];
     const { kind, step } = answered.question;
     return html`<li>
-      <b class=${isRight ? 'good' : 'bad'} title=${say.verdicts[how]}>${isRight ? '✓' : '✗'}</b>
+      <b class=${looks} title=${say.verdicts[how]}>${mark}</b>
       <span>${say.kinds[kind]}</span> <span class="number">${step}</span>
     </li>`;
   }

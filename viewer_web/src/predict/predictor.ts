@@ -6,7 +6,7 @@ import { joined } from './keeper.js';
 import type { Keeper } from './keeper.js';
 import { moodleXml } from './moodle.js';
 import type { Kind, Part, Question } from './question.js';
-import { kinds } from './question.js';
+import { kinds, proceduresOf } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 import { reasonsOf } from './say.js';
 import type { Reason } from './say.js';
@@ -22,8 +22,9 @@ import type { Target } from '../picture/target.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
 
-/** Mere calculations, which would be the first question of each run, are asked only if the reader chooses them. */
+/** Mere calculations, which would be the first question of each run, are asked only in a lesson about them, or if the reader chooses them. */
 const calculations: readonly Kind[] = ['plane', 'depth'];
+const usual: readonly Kind[] = kinds.filter((kind) => !calculations.includes(kind));
 
 /** The element that replays the run during predictions. */
 export interface Predicted extends ReactiveControllerHost, HTMLElement {
@@ -34,6 +35,8 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
   readonly language: Language;
   /** Whether there is room for questions. */
   readonly isFull: boolean;
+  /** The procedures and lines that the lesson beside the run explains. */
+  readonly listed: readonly string[];
   /** What keeps the score when the page is closed, if anything does. */
   readonly keeper: Keeper | null;
   ask: string;
@@ -64,7 +67,7 @@ export interface Current {
 export class Predictor {
   current: Current | null = null;
   record: readonly Answered[] = [];
-  wanted: ReadonlySet<Kind> = new Set(kinds.filter((kind) => !calculations.includes(kind)));
+  wanted: ReadonlySet<Kind> = new Set(usual);
   /** The reasons for the answer to the current question. */
   reasons: readonly Reason[] = [];
   /** Whether the last search found no further question. */
@@ -78,6 +81,9 @@ export class Predictor {
   private ahead: Question | null = null;
   private searched = -1;
   private reasoned = '';
+  /** Whether the reader has chosen the kinds of questions. */
+  private isChosen = false;
+  private listed: readonly string[] = [];
 
   constructor(private readonly host: Predicted) {}
 
@@ -113,8 +119,11 @@ export class Predictor {
 
   /** Called before a step is shown. Searches the trace, and may leave its timeline at any step. */
   follow(): void {
-    const { trace, step, length } = this.host;
+    const { trace, step, length, listed } = this.host;
+    const isNew = trace !== this.trace || listed !== this.listed;
+    this.listed = listed;
     if (trace !== this.trace) this.begin(trace);
+    if (trace !== null && isNew && !this.isChosen) this.wantWhatIsExplained(trace);
     if (trace === null) return;
     if (this.isOpen && !this.isForced && step !== this.current?.question.step) this.current = null;
     if (this.isForced && !this.isOpen && this.ahead === null && this.searched < length) {
@@ -130,6 +139,15 @@ export class Predictor {
     const check = this.host.checkOf(trace);
     const wrong = check.is === 'found' ? check.truth.wrong : [];
     return nextQuestion(trace, from, this.wanted, this.asked, wrong);
+  }
+
+  /** Asks about the procedures of the lesson, as far as the run has such questions. */
+  private wantWhatIsExplained({ header }: Trace): void {
+    const explained = kindsOf(header).filter((kind) =>
+      proceduresOf[kind].some((name) => this.listed.includes(name)),
+    );
+    this.wanted = new Set(explained.length > 0 ? explained : usual);
+    this.lookAgain();
   }
 
   private begin(trace: Trace | null): void {
@@ -312,6 +330,7 @@ export class Predictor {
   }
 
   want(kind: Kind, on: boolean): void {
+    this.isChosen = true;
     const others = [...this.wanted].filter((each) => each !== kind);
     this.wanted = new Set(on ? [...others, kind] : others);
     this.lookAgain();

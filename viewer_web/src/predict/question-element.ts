@@ -22,7 +22,7 @@ import {
   sayRightCell,
   stepAgainst,
 } from './say.js';
-import { isRightNumber, typedNumber } from './grade.js';
+import { howWell, isRightNumber, typedNumber } from './grade.js';
 import { answerOf, firstWrong, hintCost } from './sheet.js';
 import type { Wrong } from './sheet.js';
 
@@ -208,8 +208,11 @@ const questionStyle = css`
   .result.right {
     color: var(--good);
   }
-  .result:is(.wrong, .givenUp) {
+  .result:is(.some, .wrong) {
     color: var(--bad);
+  }
+  .result.givenUp {
+    color: var(--soft);
   }
   h4 {
     margin: 0.6rem 0 0.1rem;
@@ -353,7 +356,7 @@ export class QuestionElement extends LitElement {
       ?disabled=${verdict !== null}
       @focusin=${() => this.predictor.turnTo(i)}
     >
-      <legend>${say.asks[part.asks]} ${verdict === null ? nothing : this.mark(isRight)}</legend>
+      <legend>${say.asks[part.asks]} ${verdict?.given ? this.mark(isRight) : nothing}</legend>
       ${
         given.length === 0
           ? nothing
@@ -489,14 +492,14 @@ export class QuestionElement extends LitElement {
     const columns = columnsOf(part);
     const cell = (at: number): TemplateResult => {
       const text = chosen[at] ?? '';
-      const isWrong = current.verdict !== null && !isRightNumber(text, part.right[at] ?? '');
+      const isWrong = current.verdict?.given && !isRightNumber(text, part.right[at] ?? '');
       return html`<td>
         <input
           type="text"
           inputmode="decimal"
           aria-label=${sayCell(part, at, language)}
           aria-describedby="table-${i}"
-          aria-invalid=${isWrong}
+          aria-invalid=${isWrong ? 'true' : 'false'}
           .value=${live(text)}
           @input=${({ target }: Event) => this.predictor.fillIn(i, at, (target as HTMLInputElement).value)}
         />
@@ -541,7 +544,7 @@ export class QuestionElement extends LitElement {
 
   private judged({ given, right }: NonNullable<Current['verdict']>): TemplateResult {
     const { say } = this;
-    const how = given === null ? 'givenUp' : right.every(Boolean) ? 'right' : 'wrong';
+    const how = howWell(given, right);
     return html`
       <p class="result ${how}" role="status" tabindex="-1">${say.verdicts[how]}</p>
       <h4>${say.because}</h4>

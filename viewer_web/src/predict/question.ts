@@ -37,6 +37,40 @@ export const kinds = [
 ] as const;
 export type Kind = (typeof kinds)[number];
 
+/** The procedures that answer a question of a kind. */
+export const proceduresOf: Readonly<Record<Kind, readonly string[]>> = {
+  plane: ['InitializePolygon'],
+  facing: ['BackFaces'],
+  window: ['ProcessWindow', 'SimplestWarnock', 'ThreeListsWarnock'],
+  pop: ['Warnock', 'SimplestWarnock', 'ThreeListsWarnock'],
+  split: ['VertexSplit'],
+  relation: ['Relation'],
+  trial: ['TrialFunction'],
+  ray: ['RayCrossings'],
+  octants: ['OctantAngles'],
+  corners: ['ProcessWindow', 'HidingPolygon'],
+  depth: ['Depth'],
+  edgeDepth: ['EdgeDepth'],
+  inside: ['SurroundTest'],
+  point: ['PointColor'],
+  clip: ['PolygonClip'],
+  fill: ['FillPolygon'],
+  ael: ['ZBuffer'],
+  pixels: ['ShowLine'],
+  flags: ['Visibility'],
+  horizons: ['Horizon'],
+  sideEdge: ['SideEdge'],
+  meeting: ['Intersection'],
+  piercing: ['SplitPiercing'],
+  sort: ['DepthSort'],
+  parted: ['WeilerAtherton'],
+  entering: ['RegionClip'],
+  walk: ['RegionClip'],
+  behind: ['RemoveBehind'],
+  stack: ['WeilerAtherton'],
+  painted: ['PaintRegions'],
+};
+
 /** How a part is answered: by one of its options, by any set of them, by a typed row of them, or by a table of numbers. */
 export type Form = 'one' | 'some' | 'row' | 'table';
 
@@ -76,6 +110,7 @@ export const parts = {
   spanning: ['some', 'edge'],
   covered: ['some', 'column'],
   popped: ['one', 'window'],
+  waiting: ['one', 'number'],
   case: ['one', 'case'],
   stay: ['some', 'polygon'],
   hides: ['one', 'polygon'],

@@ -4,8 +4,9 @@ import { answers, questionFrom } from '../testing/questions.js';
 import { headerOf, textOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
-import { kinds } from './question.js';
-import type { Question } from './question.js';
+import { excerpt } from '../listing/listings.js';
+import { kinds, proceduresOf } from './question.js';
+import type { Option, Question } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 
 /**
@@ -29,6 +30,21 @@ describe('Warnock’s algorithm asks', () => {
     expect(answers(hidden)).toEqual({ stay: ['A', 'B'], hides: ['B'], case: ['surrounded'] });
   });
 
+  it('which hides the others, beside the depths of the planes at the corners', async () => {
+    // A lies at 0.1. z of B at (2, -1), (10, -1), (2, 7), (10, 7) is (6, 11.6, -2, 3.6) / 19.5.
+    const { parts } = questionFrom(await small('warnock.signs'), 1, 'window');
+    const [a, b, none] = parts.find(({ asks }) => asks === 'hides')?.options ?? [];
+    const numbersOf = (option: Option | undefined): readonly number[] =>
+      (option?.note?.(texts.en) ?? '')
+        .replaceAll('−', '-')
+        .replaceAll('≈', '')
+        .split('; ')
+        .map(Number);
+    expect(numbersOf(a)).toEqual([0.1, 0.1, 0.1, 0.1]);
+    [6, 11.6, -2, 3.6].forEach((z, i) => expect(numbersOf(b)[i]).toBeCloseTo(z / 19.5, 3));
+    expect(none?.note).toBeUndefined();
+  });
+
   it('which polygons stay in a window, with the step at which one leaves', async () => {
     const events: readonly Event[] = [
       push,
@@ -46,13 +62,13 @@ describe('Warnock’s algorithm asks', () => {
     expect(question.because).toEqual([5, 7, 8]);
   });
 
-  it('which window is popped next, and which case that is', async () => {
+  it('which window is popped next, and how many wait after it', async () => {
     // The window (2, -1) 8 x 8 is split. Its lower parts begin at y = 3, below the area, and are skipped. The upper right
-    // part is pushed last. A ends at x = 8 inside it and hides nothing there, so it is split again.
+    // part is pushed last, and the upper left one waits.
     const question = questionFrom(await small('warnock.signs'), 1, 'pop');
     expect(question.about.divided).toEqual([2, -1, 8, 8]);
     expect(question.parts[0]?.options.map(({ value }) => value)).toEqual(['2 -1 4 4', '6 -1 4 4']);
-    expect(answers(question)).toEqual({ popped: ['6 -1 4 4'], case: ['split'] });
+    expect(answers(question)).toEqual({ popped: ['6 -1 4 4'], waiting: ['1'] });
   });
 
   it('nothing about the polygons if the trace is too coarse', async () => {
@@ -262,10 +278,17 @@ describe('the next question', () => {
     }
     const first = asked.slice(0, 4).map(({ kind }) => kind);
     expect(new Set(first).size).toBeGreaterThanOrEqual(3);
-    const steps = asked.filter(({ kind }) => kind === 'window').map(({ step }) => step);
+    const ofWindows = asked.filter(({ kind }) => kind === 'window' || kind === 'pop'); // one subject
+    const steps = ofWindows.map(({ step }) => step);
     const gaps = steps.slice(1).map((step, i) => step - (steps[i] ?? 0));
     expect(gaps.at(-1)).toBeGreaterThan(3 * (gaps[0] ?? 0));
     expect(asked.length).toBeLessThan(40);
+  });
+
+  it('is about procedures that the listings have', () => {
+    for (const name of Object.values(proceduresOf).flat()) {
+      expect(excerpt([name], 'corrected', 'en').map((each) => each.name)).toEqual([name]);
+    }
   });
 
   it('has one of the chosen kinds', async () => {

@@ -30,7 +30,7 @@ export function runOf({ header, timeline }: Trace): Run {
   return { scene: scene.name, method, edition, kernel, detail, events: timeline.length };
 }
 
-export const isRightAtFirst = ({ right }: Answered): boolean => right.every(Boolean);
+const isRightAtFirst = ({ right }: Answered): boolean => right.every(Boolean);
 
 export interface Count {
   readonly asked: number;

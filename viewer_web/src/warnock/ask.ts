@@ -8,7 +8,7 @@ import {
 import type { View } from '../algorithm/view.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { toNumber } from '../language/words.js';
+import { short, toNumber } from '../language/words.js';
 import { box, path, point as dot } from '../picture/mark.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
@@ -33,7 +33,8 @@ import type { Warnock } from '../replay/values.js';
 import { cases } from '../time/course.js';
 import { corners as places, hasThreeLists } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
-import type { Box } from '../trace/values.js';
+import { planeOf } from '../trace/polygon.js';
+import type { Box, N } from '../trace/values.js';
 import { cornerAt, ownersOf } from './naming.js';
 import { shownIn } from './state.js';
 import type { Joined } from './state.js';
@@ -81,23 +82,25 @@ const optionOf = (window: Box): Option => ({
   places: [box('pointed', window)],
 });
 
+/** One more than can be right: the popped window itself does not wait any longer. */
+const waiting = Array.from({ length: mostOptions + 1 }, (_, n) => String(n));
+
 /** From the upper left on, which does not show the order of the stack. */
 const byPlace = ([x, y]: Box, [otherX, otherY]: Box): number => y - otherY || x - otherX;
 
-/** Which window is next, and which case is it? */
+/** Which window is next, and how many wait after it? */
 export const pop: Asker<'pop'> = {
   from: 'windows',
   at: ['push'],
   ask(trace, step) {
     const popped = nextOf(trace, step, 'pop', 'push');
-    const decide = popped && nextOf(trace, popped.step, 'decide', 'pop');
     const { stack = [], window = null } = trace.timeline.seek(step).values.warnock ?? {};
-    if (popped === null || decide === null || window === null) return null;
+    if (popped === null || window === null) return null;
     if (stack.length < 2 || stack.length > mostOptions) return null;
     return {
       kind: 'pop',
       step,
-      until: decide.step,
+      until: popped.step,
       about: { divided: window },
       parts: [
         {
@@ -109,9 +112,9 @@ export const pop: Asker<'pop'> = {
           right: [valueOf(popped.event.window)],
           decidedBy: () => popped.step,
         },
-        { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
+        { asks: 'waiting', options: optionsOf(waiting), right: [String(stack.length - 1)] },
       ],
-      because: [popped.step, decide.step],
+      because: [popped.step],
       things: [windowThing(window)],
     };
   },
@@ -436,6 +439,49 @@ function hidingIn(
   return owner === undefined || others.length > 0 || background ? null : owner;
 }
 
+/**
+ * The depths of each polygon's plane at the corners of a window, the upper ones first: the run's numbers, if it computes them
+ * for all. If it does not, which of them it has would give away which polygons stay in the list.
+ */
+function depthsBeside(
+  trace: Trace,
+  [step, until]: readonly [number, number],
+  window: Box,
+  ids: readonly string[],
+): (id: string) => Option {
+  const [x, y, width, height] = window;
+  const at = [y, y + height].flatMap((top) => [x, x + width].map((left) => [left, top]));
+  const found = stepsOf(trace, step, until, 'depth').map(({ event }) => event);
+  const inRun = (id: string): readonly N[] =>
+    at.flatMap((corner) => {
+      const own = found.find(
+        ({ polygon, point }) => polygon === id && String(point) === String(corner),
+      );
+      return own === undefined ? [] : [own.z];
+    });
+  const inScene = (id: string): readonly N[] => {
+    const polygon = trace.header.scene.byId.get(id);
+    if (polygon === undefined) return [];
+    const plane = planeOf(polygon);
+    return at.map(([left = 0, top = 0]) => Number(plane(left, top).toPrecision(digits)));
+  };
+  const hasAll = ids.every((id) => inRun(id).length === at.length);
+  const depths = new Map(ids.map((id) => [id, hasAll ? inRun(id) : inScene(id)]));
+  const isShort = at.map((_, i) => {
+    const all = new Set([...depths.values()].map((each) => each[i] ?? NaN));
+    return new Set([...all].map((z) => short(z))).size === all.size;
+  });
+  return (value) => ({
+    value,
+    note: ({ numbers: { short: inShort, inFull } }) =>
+      (depths.get(value) ?? [])
+        .map((z, i) => (Number.isNaN(toNumber(z)) ? '—' : isShort[i] ? inShort(z) : inFull(z)))
+        .join('; '),
+  });
+}
+/** The digits of a depth that the errors of its calculation in doubles do not reach. */
+const digits = 12;
+
 /** The procedure that looks for a polygon that hides all others; null if the method has none. */
 function seekerOf(method: Method): 'ProcessWindow' | 'HidingPolygon' | null {
   if (hasThreeLists(method)) return 'HidingPolygon';
@@ -507,7 +553,10 @@ export const window: Asker<'window'> = {
     };
     const hides: Part = {
       asks: 'hides',
-      options: optionsOf([...shown, none]),
+      options: [
+        ...shown.map(depthsBeside(trace, [step, until], pop.window, shown)),
+        { value: none },
+      ],
       right: [hiding],
       decidedBy: () => cover[0]?.step,
     };
