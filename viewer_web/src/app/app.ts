@@ -32,6 +32,7 @@ import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
 import { sceneTitle } from '../lessons/run-name.js';
 import type { Front, PlayerElement } from '../player/player.js';
+import { listedIn } from '../reader/story.js';
 import { namesNothing, parseAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import '../solid/solid-element.js';
@@ -546,6 +547,16 @@ export class AppElement extends LitElement implements Shown, PageBeside {
 
   get parts(): readonly StatePart[] {
     return this.reading.story?.shows ?? noParts;
+  }
+
+  /** The procedures and lines that the text explains. */
+  get listed(): readonly string[] {
+    return listedIn(this.reading.story);
+  }
+
+  /** Whether no other lesson comes before the text. */
+  get isFirstLesson(): boolean {
+    return this.reading.story?.prerequisites?.length === 0 && this.listed.length > 0;
   }
 
   /** A panel that the reader opens is in front. */

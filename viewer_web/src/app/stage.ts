@@ -36,6 +36,9 @@ export interface Shown {
   readonly isFirst: boolean;
   /** The parts of the state that the lesson asks for. */
   readonly parts: readonly StatePart[];
+  /** The procedures and lines that the lesson explains, and whether no other lesson comes before it. */
+  readonly listed: readonly string[];
+  readonly isFirstLesson: boolean;
   /** What is in front on a screen that has no room for both the text and the panels. */
   front: Front;
   /** Called when another panel is opened beside the run. */
@@ -105,6 +108,8 @@ export function alone(page: Shown): TemplateResult {
       .front=${page.isReading ? page.front : null}
       @vidno-front=${({ detail }: CustomEvent<Front>) => (page.front = detail)}
       .parts=${page.parts}
+      .listed=${page.listed}
+      .isFirstLesson=${page.isFirstLesson}
       ?welcome=${page.isFirst}
       ?linked=${session.isLinked}
       .layer=${layer}

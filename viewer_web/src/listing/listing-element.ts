@@ -289,6 +289,8 @@ export class ListingElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
 
+  /** The procedures and lines that are explained; null for all. The text of another line appears only while it runs. */
+  @property({ attribute: false }) explained: readonly string[] | null = null;
   /** Whether lines can be broken. An event `vidno-break` asks for the run of an edition beside this one. */
   @property({ type: Boolean }) breakable = false;
   /** Whether the C++ code of the procedures is shown instead. */
@@ -430,27 +432,30 @@ export class ListingElement extends LitElement {
       return `${now ? this.nowClass : ''} ${caller} ${this.values.get(at) ?? ''}`;
     });
     return guard(
-      [listing, isEntered, ...rows],
+      [listing, isEntered, this.explained, ...rows],
       () => html`
         <section class=${isEntered ? 'entered' : nothing}>
           <h3><span class="name">${name}</span>(${takes}) <span class="title">${title}</span></h3>
           <ol>
-            ${lines.map((line) => this.line(line))}
+            ${lines.map((line) => this.line(line, name))}
           </ol>
         </section>
       `,
     );
   }
 
-  private line({ at, indent, text, defects, speaks }: Line): TemplateResult {
+  private line({ at, indent, text, defects, speaks }: Line, name: string): TemplateResult {
     const { now, caller } = this.kindOf(at);
+    const { explained } = this;
+    const isShown = now || explained === null || explained.includes(at) || explained.includes(name);
+    const shown = isShown ? html`${text}${speaks ? this.said(at) : nothing}` : '…';
     return html`
       <li
         class=${caller ? 'caller' : now ? this.nowClass : ''}
         aria-current=${now ? 'step' : nothing}
       >
         <span class="at">${at}${this.mark(at)}</span>
-        <code .style=${`--indent: ${indent}`}>${text}${speaks ? this.said(at) : nothing}</code>
+        <code .style=${`--indent: ${indent}`}>${shown}</code>
         ${defects.map((id) => this.defect(id))}
       </li>
     `;

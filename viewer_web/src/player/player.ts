@@ -697,6 +697,9 @@ export class PlayerElement extends StageElement {
   /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
+  /** The procedures and lines that the lesson explains; and only those, if it is a first lesson, after which nothing else was. */
+  @property({ attribute: false }) listed: readonly string[] = [];
+  @property({ attribute: false }) isFirstLesson = false;
   /** Whether the reader sees this page for the first time, at the end of a run: its result comes first, in common words. */
   @property({ type: Boolean }) welcome = false;
   /** The query of the outline's search, and the steps found. */
@@ -919,6 +922,7 @@ export class PlayerElement extends StageElement {
             <vidno-listing
               .trace=${this.trace}
               .view=${view}
+              .explained=${this.isFirstLesson && this.layout === 'lesson' ? this.listed : null}
               ?hall=${this.presenting}
               ?breakable=${this.breakable && !veiled}
             ></vidno-listing>

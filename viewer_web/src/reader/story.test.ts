@@ -1,7 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { sampleLesson } from '../testing/lessons.js';
-import { lessonStory, readStory } from './story.js';
+import { lessonStory, listedIn, readStory } from './story.js';
 import type { LessonStory } from './story.js';
 
 const packed = (text: string): Blob => new Blob([Uint8Array.from(gzipSync(text))]);
@@ -82,5 +82,20 @@ describe('the file of a lesson', () => {
     await expect(readStory(packed('{'))).rejects.toThrow('notJson');
     await expect(readStory(new Blob(['x']))).rejects.toThrow();
     await expect(readStory(packed(' '.repeat(16_000_001)))).rejects.toThrow(RangeError);
+  });
+});
+
+describe('what the listings of a lesson print', () => {
+  it('is their procedures and lines, always in the same list', () => {
+    const listing = (...names: readonly string[]): object => ({
+      is: 'listing',
+      edition: 'corrected',
+      names,
+    });
+    const story = { title: ['x'], blocks: [listing('PW3', 'W13'), listing('Depth')] };
+    const lesson = lessonStory(sampleLesson({ story: { en: story, ru: story } }));
+    expect(listedIn(lesson)).toEqual(['PW3', 'W13', 'Depth']);
+    expect(listedIn(lesson)).toBe(listedIn(lesson));
+    expect(listedIn(null)).toEqual([]);
   });
 });

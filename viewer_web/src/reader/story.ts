@@ -150,6 +150,19 @@ export interface LessonStory {
   readonly story: Bilingual<Story>;
 }
 
+const listed = new WeakMap<LessonStory, readonly string[]>();
+const nothingListed: readonly string[] = [];
+
+/** The procedures and the single lines that a lesson's listings print. A lesson always gives the same list. */
+export function listedIn(lesson: LessonStory | null | undefined): readonly string[] {
+  if (!lesson) return nothingListed;
+  const names =
+    listed.get(lesson) ??
+    lesson.story.en.blocks.flatMap((block) => (block.is === 'listing' ? block.names : []));
+  listed.set(lesson, names);
+  return names;
+}
+
 /** Accepts web addresses only: `javascript:` and the like are addresses as well. */
 const webAddress: Check<string> = (value, path) => {
   const address = text(value, path);
