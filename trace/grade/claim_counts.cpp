@@ -13,7 +13,7 @@ const std::vector<ClaimKind>& claim_kinds() {
         {{"fills", "закрашиваний"}, "warnock", windows, true, {"fill", "draw"}},
         {{"polygons in lists", "многоугольников в списках"}, "warnock", polygons, false, {"count", "discard", "mark"}},
         {{"depths", "глубин"}, "warnock", polygons, true, {"depth"}},
-        {{"surround tests", "проверок охвата"}, "warnock", polygons, true, {"surround"}},
+        {{"surround tests", "проверок принадлежности"}, "warnock", polygons, true, {"surround"}},
         {{"clipped polygons", "отсечённых многоугольников"}, "warnock", polygons, false, {"clip_result"}},
         {{"comparisons of depths", "сравнений глубин"}, "warnock", signs, true, {"compare"}},
         {{"signs", "знаков"}, "warnock", signs, true, {"orient", "clip_sign"}},

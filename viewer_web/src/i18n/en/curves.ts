@@ -31,7 +31,7 @@ export const curves = {
   history: {
     pixel: 'Column',
     at: (x: number): string => `Column ${x}`,
-    /** The horizons over a column, for its announcement: their heights, null without one. */
+    /** The horizons over a column, for its announcement: their y, null without one. */
     horizons: (upper: N | null, lower: N | null): string =>
       `${upper === null ? 'no upper horizon' : `upper horizon ${short(upper)}`}, ${lower === null ? 'no lower horizon' : `lower horizon ${short(lower)}`}`,
     /** Includes the key if single-character keys are on. */
@@ -70,6 +70,6 @@ export const curves = {
     /** The labels of x and y for a direction on the screen. */
     place: ['columns', 'rows'],
     sample: (curve: number, x: number, y: number): string =>
-      `Curve ${curve}, column ${x}: height ${y}`,
+      `Curve ${curve}, column ${x}: y = ${y}`,
   },
 };

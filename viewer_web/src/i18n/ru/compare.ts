@@ -75,7 +75,7 @@ export const compare: CompareTexts = {
   counts: {
     windows: 'взято окон',
     splits: 'делений окна',
-    surrounds: 'проверок охвата',
+    surrounds: 'проверок принадлежности',
     relations: 'проверок отношения',
     comparisons: 'сравнений глубин',
     lists: 'взято списков',

@@ -66,6 +66,6 @@ export const curves: CurveTexts = {
       back: 'От кривой к следующей',
     },
     place: ['столбцы', 'строки'],
-    sample: (curve, x, y) => `Кривая ${curve}, столбец ${x}: высота ${y}`,
+    sample: (curve, x, y) => `Кривая ${curve}, столбец ${x}: y = ${y}`,
   },
 };
