@@ -146,7 +146,8 @@ TEST_CASE("curve figure: a caption says what happens to the curve and the horizo
           "Отрезок встречается с нижним горизонтом в точке (2,5; 8), между столбцами 2 и 3.");
     CHECK(said({event::Call{Line::FH7, Procedure::horizon}, event::Raise{Line::H2, 3, 7.5}}, Language::english) ==
           "Over column 3 the upper horizon moves to 7.5.");
-    CHECK(caption_of(after(header, events), Language::russian) == "Над столбцом 3 ордината верхнего горизонта теперь 7,5.");
+    CHECK(caption_of(after(header, events), Language::russian) ==
+          "Над столбцом 3 ордината верхнего горизонта теперь 7,5.");
 }
 
 TEST_CASE("curve figure: the printed edition has the printed listing") {

@@ -239,7 +239,7 @@ describe('the text of a lesson', () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first&follow=off');
     const answer = page.locator('.answer');
     expect(await answer.isVisible()).toBe(false);
-    await page.locator('details:not(.about) summary').focus();
+    await page.locator('vidno-reader details:not(.about) summary').focus();
     await page.keyboard.press('Space');
     await answer.waitFor();
     await page.keyboard.press('Enter');
@@ -282,7 +282,7 @@ describe('the text of a lesson', () => {
     const viewport = { width, height: 844 };
     const { page } = await openReader(browser, '#lang=ru', { viewport });
     await pin(page, 'first').click();
-    await page.locator('details:not(.about) summary').click();
+    await page.locator('vidno-reader details:not(.about) summary').click();
     expect(await violations(page)).toEqual([]);
   });
 });

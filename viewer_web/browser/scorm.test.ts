@@ -167,11 +167,11 @@ describe.runIf(existsSync(lesson))('a package in a learning management system', 
     expect((await verdict(frame)).at(-1)).toBe('Right.');
   }
 
-  /** The corner (8, 8) lies in S, from (-1, -1) to (9, 17), on the same side of all four edges: the last sign is wrong. */
+  /** I is at the depth -1/2 everywhere, S at 1/4: I is nearer at no corner, not at the lower right one, and its depth is less. */
   async function answerSecond(page: Page, frame: Frame): Promise<void> {
-    await question(page, frame, 109);
-    await press(page, '1', 'Tab', '+', '+', '+', '-', 'Enter');
-    expect(await verdict(frame)).toEqual(['✓ right', '✗ wrong', 'Not quite.']);
+    await question(page, frame, 136);
+    await press(page, '4', 'Tab', '3', 'Enter');
+    expect(await verdict(frame)).toEqual(['✗ wrong', '✓ right', 'Not quite.']);
   }
 
   it('reports each answer, and completes the lesson with the last that is wanted', async () => {
@@ -198,26 +198,26 @@ describe.runIf(existsSync(lesson))('a package in a learning management system', 
       score: { raw: '53.33' },
     });
 
-    // A question of two parts, given up: 4 of 7 points.
-    await question(page, frame, 136);
+    // A question of three parts, given up: 4 of 8 points.
+    await question(page, frame, 153);
     await frame.getByRole('button', { name: 'I don’t know' }).focus();
     await press(page, 'Enter');
     await frame
-      .getByText('Your score in the course: 57.14 of 100. The lesson is completed.')
+      .getByText('Your score in the course: 50 of 100. The lesson is completed.')
       .waitFor();
 
     const left = await leave(page);
     expect(left.core).toMatchObject({
       lesson_status: 'completed',
       exit: 'suspend',
-      score: { raw: '57.14', min: '0', max: '100' },
+      score: { raw: '50', min: '0', max: '100' },
     });
     expect(JSON.parse(left.suspend_data)).toMatchObject({
       format: 'vidno-score/1',
-      total: { asked: 3, right: 1, given_up: 1, points: 4, parts: 7 },
+      total: { asked: 3, right: 1, given_up: 1, points: 4, parts: 8 },
     });
     const commits = await page.evaluate(() => (window as unknown as Shown).commits);
-    expect(commits.slice(0, 4)).toEqual(['', '33.33', '53.33', '57.14']);
+    expect(commits.slice(0, 4)).toEqual(['', '33.33', '53.33', '50']);
     expect(faults).toEqual([]);
   });
 
