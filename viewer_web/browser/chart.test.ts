@@ -227,7 +227,7 @@ describe('the chart', () => {
     expect(await page.locator('main').innerText()).not.toMatch(/[а-я]/);
     await page.locator('vidno-languages [lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');
-    expect(await plot(page).textContent()).toContain('неверные пиксели');
+    expect(await plot(page).textContent()).toContain('доля неверных пикселей');
     expect(await page.locator('main').innerText()).toMatch(/[а-я]/);
     expect(new URL(page.url()).hash).toContain('lang=ru&view=degenerate');
     expect(faults).toEqual([]);

@@ -50,7 +50,7 @@ describe('the right answer', () => {
     expect(await goals.locator('.count').textContent()).toBe('167');
     await goals.getByLabel('The next one').click();
     await expect.poll(() => goals.locator('.count').textContent()).toBe('1 / 167');
-    await panel(page, '.verdict.wrong').getByText('right for its operands').waitFor();
+    await panel(page, '.verdict.wrong').getByText('correct for its operands').waitFor();
     expect((await run(page)).lines).toEqual(lines);
     expect(await violations(page)).toEqual([]);
   });

@@ -262,7 +262,7 @@ describe('an exercise', () => {
     await page.keyboard.press('q');
     const form = page.locator('vidno-question');
     const cell = (name: string): Locator => form.getByRole('textbox', { name, exact: true });
-    await form.getByRole('textbox', { name: /^Which edges does it then have/ }).fill('3 1');
+    await form.getByRole('textbox', { name: /^Which edges does the list then have/ }).fill('3 1');
     await cell('entry 1, x').fill('1');
     await cell('entry 1, last row').fill('2');
     await cell('entry 2, x').fill('6.5');

@@ -96,7 +96,7 @@ describe('the chart of surfaces', () => {
     await page.locator('vidno-languages [lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');
     expect(await advice.innerText()).toMatch(/filtered, допуск 4\sпикс\. — самый дешёвый/u);
-    expect(await plot(page).textContent()).toContain('неверные столбцы');
+    expect(await plot(page).textContent()).toContain('доля неверных столбцов');
     expect(faults).toEqual([]);
   });
 
