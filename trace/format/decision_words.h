@@ -29,7 +29,8 @@ inline constexpr std::array<Bilingual, decision_names.size()> decision_words{{
 /// Why a decision is wrong, in the order of Cause.
 inline constexpr std::array<Bilingual, cause_names.size()> cause_words{{
     {"This operation rounded.", "Погрешность округления в этой операции."},
-    {"Correct for its operands, which had already drifted.", "Для своих операндов верно: погрешность накоплена раньше."},
+    {"Correct for its operands, which had already drifted.",
+     "Для своих операндов верно: погрешность накоплена раньше."},
 }};
 
 }  // namespace vidno
