@@ -38,8 +38,8 @@ public:
     void see(const Scene& scene) {
         extent_ = farthest_out(scene);
         // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2, is 12 of these units.
-        // Hardly more are needed, since the last subtraction, which may round by 4, keeps the sign; 16 is the next power
-        // of two. tests/bounds has the proof.
+        // Hardly more are needed, since the last subtraction, which may round by 4, keeps the sign; 16 is the next
+        // power of two. tests/bounds has the proof.
         cross_error_ = 16 * extent_ * extent_ * Bounded::unit;
         Depths::expect_planes(scene.polygons.size());
     }
