@@ -74,7 +74,7 @@ std::string answer_of(const Recorded& recorded, const Answer& answer, const Word
     constexpr std::array<Bilingual, 3> signs{{{"negative", "минус"}, {"zero", "нуль"}, {"positive", "плюс"}}};
     const auto* sign = std::get_if<int>(&answer);
     if (recorded.of == Decision::orientation && sign != nullptr)
-        return std::string(words.in(signs[std::size_t(*sign + 1)]));
+        return std::string(words.in(signs[std::size_t(*sign) + 1]));
     return std::visit(AnswerWords{words}, answer);
 }
 

@@ -57,7 +57,11 @@ std::string compared(const FloatingHorizonHeader& header, const Comparison& comp
 
 /// The first of these that the run has: "21 windows".
 std::string work(const Tally& tally, const Words& words) {
-    const auto count = [&](auto... places) { return (long long)((tally[places] + ...)); };
+    const auto count = [&](auto... places) {
+        long long sum = 0;
+        ((sum += (long long)(tally[places])), ...);
+        return sum;
+    };
     struct Counted {
         long long count;
         Plurals forms;

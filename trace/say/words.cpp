@@ -85,7 +85,7 @@ std::string Words::range(int first, int last) const {
 }
 
 std::string Words::ordered(const Value& one, const Value& other, Sign order) const {
-    const std::string relation(relation_of(order));
+    std::string relation(relation_of(order));
     if (order_of(one, other) != order) return relation;
     const auto [left, right] = apart(one, other, language_);
     return left + " " + relation + " " + right;
