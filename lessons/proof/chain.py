@@ -6,7 +6,7 @@ cannot follow, and NotTold if the trace leaves out what the operands are derived
 
 from fractions import Fraction
 
-import decisions
+import answers
 from kernel import Number
 
 
@@ -161,4 +161,4 @@ class Chain:
     def rows_in_use(self, outline):
         used = [(None, self.kernel.number(y.used)) for _, y in outline]
         heights = [y for _, y in used]
-        return decisions.between_centres(min(heights), max(heights), self.area[1], self.area[3], self.kernel.number)
+        return answers.between_centres(min(heights), max(heights), self.area[1], self.area[3], self.kernel.number)

@@ -1,6 +1,6 @@
 """The chain through PolygonClip and FillPolygon: vertices clipped at the sides of a window, and the rows that an outline meets."""
 
-import decisions
+import answers
 from chain import Chain, exactly, expect, named
 
 
@@ -44,7 +44,7 @@ class ClipChain(Chain):
         """The edge meets the line of the side."""
         p, q = [tuple(number.exact for number in place) for place in self.ends()]
         pivot, before = [tuple(number.exact for number in place) for place in (self.pivot, self.before)]
-        cp, cq = [exactly(lambda v=v: decisions.turn(pivot, v, before)) for v in (p, q)]
+        cp, cq = [exactly(lambda v=v: answers.turn(pivot, v, before)) for v in (p, q)]
         exact = [exactly(lambda k=k: p[k] + (q[k] - p[k]) * cp / (cp - cq)) for k in (0, 1)]
         self.kept.append([self.kernel.told(event["vertex"][k], exact[k]) for k in (0, 1)])
         self.crossed = True

@@ -1,7 +1,7 @@
 """The lines of a scene, and the points where these meet.
 
-The trace does not tell on which two lines a vertex of a region lies. But there are only so many lines: the edges of the polygons, the
-sides of the area, and those in which two planes meet. A vertex is derived if two of these meet there.
+A trace does not name the two lines on which a vertex of a region lies. They are among the edges of the polygons, the sides of the area,
+and the lines in which two planes meet. A vertex is derived if two of these meet there.
 """
 
 import collections

@@ -1,6 +1,6 @@
 """The chain through ShowLine: the columns of a line, and the depth of each of its pixels."""
 
-import decisions
+import answers
 from chain import Chain, constant, exactly, expect
 from kernel import FARTHEST, Number
 
@@ -51,10 +51,10 @@ class ShowLineChain(Chain):
         number, (low, _, end, _) = self.kernel.number, self.area
         if self.has("x-z5"):
             x = self.kernel.number(self.start().used)
-            first = decisions.pixel(x)
-            past = first if right < x else first + decisions.pixel(right - x) + 1
+            first = answers.pixel(x)
+            past = first if right < x else first + answers.pixel(right - x) + 1
             return [first, max(first, min(past, end))]
-        first, past = decisions.between_centres(left, right, low, end, number)
+        first, past = answers.between_centres(left, right, low, end, number)
         if self.has("boundary-outside"):
             if number(self.row + 0.5) in (number(self.current.box[1].used), number(self.current.box[3].used)):
                 return [first, first]
@@ -125,8 +125,8 @@ class ShowLineChain(Chain):
     def hear_pixel(self, event):
         expect(self.next_column is not None, "a pixel without a line")
         at = event["x"], event["y"]
-        x = decisions.pixel(self.next_column.used) if self.is_printed else self.next_column
-        row = decisions.pixel(self.y.used) if self.is_printed else self.row
+        x = answers.pixel(self.next_column.used) if self.is_printed else self.next_column
+        row = answers.pixel(self.y.used) if self.is_printed else self.row
         expect(at == (x, row) and (self.end is None or x < self.end), "another pixel was expected:", x, row)
         z, against = self.kernel.told(event["z"], self.z), self.stored.get(at, self.first_depth)
         self.expect_told(event, "stored", against)

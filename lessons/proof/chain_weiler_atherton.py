@@ -4,7 +4,7 @@ import itertools
 import math
 from fractions import Fraction
 
-import decisions
+import answers
 from chain import NotTold, constant, expect
 from chain_lines import LinesChain, middle
 from kernel import Number, parsed
@@ -24,7 +24,7 @@ class WeilerAthertonChain(LinesChain):
         if of != "columns" or isinstance(candidates, NotTold):
             return None
         low, end = self.area[0], self.area[2]
-        found = [decisions.between_centres(n["left"].exact, n["right"].exact, low, end, Fraction) for n in candidates]
+        found = [answers.between_centres(n["left"].exact, n["right"].exact, low, end, Fraction) for n in candidates]
         return (found[0], False) if all(each == found[0] for each in found) else None
 
     # Events

@@ -1,6 +1,6 @@
 """The chain of the Z-buffer: the edges of a polygon, and their entries in AEL from row to row."""
 
-import decisions
+import answers
 from chain import constant, exactly, expect
 from chain_show_line import Entry, ShowLineChain
 from kernel import Number
@@ -66,7 +66,7 @@ class ZBufferChain(ShowLineChain):
         upper, lower = self.vertices[i], self.vertices[(i + 1) % len(self.vertices)]
         if self.is_printed:
             number = self.kernel.number
-            is_level = decisions.same_rounded(number(upper[1].used), number(lower[1].used), number)
+            is_level = answers.same_rounded(number(upper[1].used), number(lower[1].used), number)
         else:
             is_level = upper[1].used == lower[1].used
         k = 0 if is_level else 1
@@ -81,12 +81,12 @@ class ZBufferChain(ShowLineChain):
 
     def rows_of(self, event, upper_y, lower_y):
         number, low, end = self.kernel.number, self.area[1], self.rows_end
-        first = decisions.first_centre(number(upper_y.used), low, end, number)
+        first = answers.first_centre(number(upper_y.used), low, end, number)
         if lower_y.used == self.current.box[3].used:
-            last = decisions.last_centre(number(lower_y.used), low, end, number)
+            last = answers.last_centre(number(lower_y.used), low, end, number)
         else:
             y = number(lower_y.used) + number(0.5) if self.has("x-z1") else number(lower_y.used)
-            last = decisions.first_centre(y, low, end, number) - 1
+            last = answers.first_centre(y, low, end, number) - 1
         expect(event["rows"] == [first, last], "the edge crosses the rows", first, "to", last)
         self.first_rows[event["edge"]] = first
 
@@ -95,7 +95,7 @@ class ZBufferChain(ShowLineChain):
             return self.kernel.given(row + 0.5)
         y = self.current.box[1]
         number = self.kernel.number
-        first = decisions.first_centre(number(y.used), -(2**30), 2**30, number)
+        first = answers.first_centre(number(y.used), -(2**30), 2**30, number)
         return self.sum_of(y, self.kernel.given(row - first))
 
     def hear_scanline(self, event):

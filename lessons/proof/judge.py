@@ -4,7 +4,7 @@ import collections
 import math
 from fractions import Fraction
 
-import decisions
+import answers
 from chain import Contradiction, NotTold, expect
 from chain_floating_horizon import FloatingHorizonChain
 from chain_warnock import WarnockChain
@@ -43,7 +43,7 @@ class Judge:
 
     def answer(self, of, numbers, number, relation):
         try:
-            return decisions.answer(of, numbers, number, relation, self.flag_on_both)
+            return answers.answer(of, numbers, number, relation, self.flag_on_both)
         except ZeroDivisionError:
             return False if of == "parallel" else None
 
@@ -52,7 +52,7 @@ class Judge:
         in_use = {name: parsed(used) for name, used, _ in operands}
         right = {name: parsed(text) for name, _, text in operands}
         by_run = {name: int(value) if name in WHOLE else self.kernel.number(value) for name, value in in_use.items()}
-        for relation in decisions.RELATIONS if of == "comparison" and isinstance(taken, bool) else [None]:
+        for relation in answers.RELATIONS if of == "comparison" and isinstance(taken, bool) else [None]:
             found = [self.answer(of, by_run, self.kernel.number, relation)]
             for numbers in (right, in_use):
                 has_answer = all(is_number(name, value) for name, value in numbers.items())
@@ -73,7 +73,7 @@ class Judge:
         """The cross product, in the run's numbers."""
         used = {name: self.kernel.number(parsed(used)) for name, used, _ in event["operands"]}
         pivot, a, b = [(used[name + ".x"], used[name + ".y"]) for name in ("pivot", "a", "b")]
-        value = decisions.turn(pivot, a, b)
+        value = answers.turn(pivot, a, b)
         is_told = self.kernel.tells(event["value"], self.kernel.in_use(value))
         expect(is_told, f"the value is {getattr(value, 'value', value)}, not {event['value']}")
 

@@ -86,7 +86,7 @@ def to_float(value):
 
 
 def to_bits(count, value):
-    """The nearest number with so many significant bits, ties to even; the exponent is a double's."""
+    """The nearest number of `count` significant bits; a tie goes to the even one. The exponent is that of a double."""
     if not math.isfinite(value):
         return value
     pattern = struct.unpack("<Q", struct.pack("<d", value))[0]

@@ -150,7 +150,7 @@ def changed_exact_answer(draw, trace, method):
 
 
 def has_known_operands(method):
-    """Whose operands are told apart from all others. Of Weiler and Atherton's algorithm, only those at pixels are."""
+    """Finds the events whose operands the verifier derives one by one. In Weiler and Atherton's algorithm these are only those at pixels."""
     return lambda event: "operands" in event and event["e"] in (["order"] if method == "weiler-atherton" else REPORTED)
 
 
@@ -249,7 +249,7 @@ def changed_scene(draw, trace, method):
     axis = draw.randrange(2)
     changed = vertex[axis] + by
     rounded = Kernel(trace[0]["kernel"]).rounded
-    # An edge of the Z-buffer is told in rounded numbers, and may lie beside the area, where no decision needs it.
+    # A trace has the edges of the Z-buffer in rounded numbers, and an edge may lie beside the area, where no decision needs it.
     is_seen = rounded(changed) != rounded(vertex[axis]) and trace[0]["kernel"] not in ("filtered", "grid:3")
     if changed == vertex[axis] or (method == "zbuffer" and not is_seen):
         return None

@@ -10,7 +10,8 @@ import pathlib
 import subprocess
 import sys
 
-import decisions
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "lessons/proof"))
+import decisions  # noqa: E402
 import picture
 import tables
 
