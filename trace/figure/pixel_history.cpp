@@ -1,29 +1,17 @@
 #include "pixel_history.h"
 
 #include "notation.h"
-#include "say/sentence.h"
 #include "table.h"
 #include "wrap.h"
 
 namespace vidno::figures {
 
-PixelHistory::PixelHistory(Pixel pixel, const TraceHeader& header, Language language)
-    : pixel_(pixel), language_(language), watch_(pixel, header), goes_wrong_(pixel, header) {}
-
 void PixelHistory::take(const Moment& moment) {
     const EventView& event = *moment.event();
-    const State& state = moment.state();
-    goes_wrong_.see(event, state);
-    const auto outcome = watch_.see(event, state.step());
-    if (!outcome) return;
+    const auto entry = story_.take(event, moment.state());
+    if (!entry) return;
     const Line at = event.visit([](const auto& e) { return e.at; });
-    const say::Statement said = say::sentence_for_pixel(event, *outcome, state, language_);
-    entries_.push_back({state.step(), at, said.whole(), *outcome});
-    if (*outcome == say::Outcome::paint) {
-        why_ = say::why(event, state, pixel_, goes_wrong_.step(state), language_).whole();
-    } else {
-        goes_wrong_.hear(state.step(), said);
-    }
+    entries_.push_back({moment.state().step(), at, entry->said.whole(), entry->outcome});
 }
 
 Drawing PixelHistory::part(const Style& style, double width) const {
@@ -55,7 +43,7 @@ Drawing PixelHistory::part(const Style& style, double width) const {
     }
     if (first > 0) table.note = std::string(words.earlier) + " " + std::to_string(first);
     if (entries_.empty()) table.below.emplace_back(words.empty);
-    if (!why_.empty()) table.below.push_back(why_);
+    if (!story_.why().empty()) table.below.push_back(story_.why());
     return drawn(table, width, style.letters);
 }
 

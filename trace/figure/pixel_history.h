@@ -10,7 +10,8 @@ namespace vidno::figures {
 class PixelHistory {
 public:
     /// The header must outlive it.
-    PixelHistory(Pixel pixel, const TraceHeader& header, Language language);
+    PixelHistory(Pixel pixel, const TraceHeader& header, Language language)
+        : pixel_(pixel), story_(pixel, header, language) {}
 
     Pixel pixel() const { return pixel_; }
 
@@ -30,10 +31,7 @@ public:
 
 private:
     Pixel pixel_;
-    Language language_;
-    say::PixelWatch watch_;
-    say::GoesWrong goes_wrong_;
-    std::string why_;  // it has its colour
+    say::PixelStory story_;
     std::vector<Entry> entries_;
 };
 

@@ -96,4 +96,42 @@ private:
 Statement why(const EventView& event, const State& after, Pixel pixel, std::optional<std::uint64_t> wrong_at,
               Language language, bool is_later = false);
 
+/// Says the history of a pixel while a run goes on.
+class PixelStory {
+public:
+    struct Entry {
+        Outcome outcome;
+        Statement said;
+    };
+
+    /// The header must outlive it.
+    PixelStory(Pixel pixel, const auto& header, Language language)
+        : pixel_(pixel), language_(language), watch_(pixel, header), goes_wrong_(pixel, header) {}
+
+    /// Takes the next event, after which the run has this state. None if it does not concern the pixel.
+    template <class AfterEvent>
+    std::optional<Entry> take(const EventView& event, const AfterEvent& after) {
+        goes_wrong_.see(event, after);
+        const auto outcome = watch_.see(event, after.step());
+        if (!outcome) return std::nullopt;
+        Statement said = sentence_for_pixel(event, *outcome, after, language_);
+        if (*outcome != Outcome::paint) {
+            goes_wrong_.hear(after.step(), said);
+        } else if constexpr (std::same_as<AfterEvent, State>) {
+            why_ = say::why(event, after, pixel_, goes_wrong_.step(after), language_).whole();
+        }
+        return Entry{*outcome, std::move(said)};
+    }
+
+    /// Why it has the colour that was painted last. Empty if none was; the columns of curves have none.
+    const std::string& why() const { return why_; }
+
+private:
+    Pixel pixel_;
+    Language language_;
+    PixelWatch watch_;
+    GoesWrong goes_wrong_;
+    std::string why_;
+};
+
 }  // namespace vidno::say
