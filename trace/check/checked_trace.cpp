@@ -22,7 +22,7 @@ void CheckedTrace::hear(const EventView& event) {
     event.visit([&]<class E>(const E& e) {
         if constexpr (requires { e.decides; }) {
             E judged = e;
-            judged.checked = checked_fields_of({E::decides, e.decision()}, decisions);
+            judged.checked = checked_fields_of({E::decides, e.decision(), e.checked}, decisions);
             write(judged);
         } else {
             write(e);

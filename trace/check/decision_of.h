@@ -1,4 +1,4 @@
-/// The decision that an event reports, if any.
+/// The decision that an event reports, if any, and what a check has added to it.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@ namespace vidno {
 struct ReportedDecision {
     Decision of;
     Answer answer;
+    const CheckedFields& checked;  // the event's
 };
 
 std::optional<ReportedDecision> decision_of(const EventView& event);

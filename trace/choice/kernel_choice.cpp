@@ -36,6 +36,11 @@ std::optional<NamedKernel> kernel_named(std::string_view name) {
     return NamedKernel{choice, *parameter};
 }
 
+bool is_always_right(std::string_view kernel) {
+    const auto named = kernel_named(kernel);
+    return named && named->is_always_right();
+}
+
 NamedKernel kernel_of(KernelKind kind) { return kernel_named(kernel_choices[std::size_t(kind)].name).value(); }
 
 std::string kernel_names() {

@@ -137,6 +137,9 @@ struct NamedKernel {
 /// None if no kernel has this name, or its parameter is missing or out of range.
 std::optional<NamedKernel> kernel_named(std::string_view name);
 
+/// Whether it is the name of a kernel that is always right.
+bool is_always_right(std::string_view kernel);
+
 /// The kernel of a kind that is named without a parameter: `filtered`, `grid:8`. The kind must not be `bits` or
 /// `depth`.
 NamedKernel kernel_of(KernelKind kind);

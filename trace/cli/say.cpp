@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "check/check.h"
+#include "check/decision_of.h"
 #include "choice/kernel_choice.h"
 #include "cli/commands.h"
 #include "cli/shared/losses.h"
@@ -70,13 +71,8 @@ struct Counts {
         const bool is_disagree = event.get_if<event::Disagree>() != nullptr;
         wrong_steps += is_disagree && !was_disagree;
         was_disagree = is_disagree;
-        is_checked = is_checked || is_disagree || event.visit([](const auto& e) {
-            if constexpr (requires { e.checked; }) {
-                return e.checked.exact.has_value();
-            } else {
-                return false;
-            }
-        });
+        const auto decision = decision_of(event);
+        is_checked = is_checked || is_disagree || (decision && decision->checked.exact);
     }
 };
 
@@ -89,15 +85,10 @@ say::Comparison compared(const State& end, const Counts&) {
     const bool is_large = static_cast<long long>(area.width) * area.height > most_pixels;
     if (is_large || scene.polygons.size() > most_polygons) return {};
     const Picture right = right_picture(exact_scene::admit(scene), end.header().method);
-    say::Comparison comparison{say::Comparison::Is::known};
-    for (int y = area.y; y < area.bottom(); ++y) {
-        for (int x = area.x; x < area.right(); ++x) comparison.wrong += end.screen().color(x, y) != right.at(x, y);
-    }
-    return comparison;
+    return {say::Comparison::Is::known, different_pixels(end.screen().picture(), right)};
 }
 say::Comparison compared(const FloatingHorizonState& end, const Counts& counts) {
-    const auto kernel = kernel_named(end.header().kernel);
-    const bool is_known = counts.is_checked || (kernel && kernel->is_always_right());
+    const bool is_known = counts.is_checked || is_always_right(end.header().kernel);
     return {is_known ? say::Comparison::Is::known : say::Comparison::Is::unknown, counts.wrong_steps};
 }
 
@@ -146,42 +137,26 @@ int say_steps(const SayOptions& options, auto& reader) {
 Area area_of(const State& state) { return state.header().scene.area; }
 Area area_of(const FloatingHorizonState& state) { return state.header().scene.curves->area; }
 
-/// Why the pixel has the colour that the event paints. A column of a run of curves has none.
-std::string why(const EventView& event, const State& after, Pixel pixel, const say::GoesWrong& goes_wrong,
-                Language language) {
-    return say::why(event, after, pixel, goes_wrong.step(after), language).whole();
-}
-std::string why(const EventView&, const FloatingHorizonState&, Pixel, const say::GoesWrong&, Language) { return {}; }
-
 /// The steps that concern a pixel, each with what it means for it, and why it has its colour.
 int say_history(const SayOptions& options, auto& reader) {
     constexpr std::array<std::string_view, say::outcome_names.size()> signs{"✓", "✗", "■", "!", "·"};
     const auto language = Language(place_in(language_codes, options.language));
     auto state = state_of(reader);
     const Pixel pixel = pixel_in(*options.pixel, area_of(state));
-    say::PixelWatch watch(pixel, reader.header());
-    std::string reason;
-    say::GoesWrong goes_wrong(pixel, reader.header());
+    say::PixelStory story(pixel, reader.header(), language);
     Progress progress("steps");
     const auto take = [&](const EventView& event) {
         state.apply(event);
         progress.show(state.step());
-        goes_wrong.see(event, state);
-        const auto outcome = watch.see(event, state.step());
-        if (!outcome) return;
+        const auto entry = story.take(event, state);
+        if (!entry) return;
         progress.clear();
-        const say::Statement said = say::sentence_for_pixel(event, *outcome, state, language);
-        std::cout << state.step() << ": " << signs[std::size_t(*outcome)] << ' ' << said.whole() << '\n';
-        if (*outcome == say::Outcome::paint) {
-            reason = why(event, state, pixel, goes_wrong, language);
-        } else {
-            goes_wrong.hear(state.step(), said);
-        }
+        std::cout << state.step() << ": " << signs[std::size_t(entry->outcome)] << ' ' << entry->said.whole() << '\n';
     };
     while (take_next(reader, take)) {
     }
     progress.clear();
-    if (!reason.empty()) std::cout << reason << '\n';
+    if (!story.why().empty()) std::cout << story.why() << '\n';
     Losses losses;
     losses.add(reader);
     return losses.report();

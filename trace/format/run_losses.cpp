@@ -40,10 +40,7 @@ std::string consequence_of(const event::Fault& fault) {
 
 bool ends_run(const event::Fault& fault) { return !fault.x && !is_of_outline(fault); }
 
-RunLosses::RunLosses(std::string_view kernel) {
-    const auto named = kernel_named(kernel);
-    is_always_right_ = named && named->is_always_right();
-}
+RunLosses::RunLosses(std::string_view kernel) : is_always_right_(is_always_right(kernel)) {}
 
 void RunLosses::add(Found found) {
     if (found_.size() < most_listed) {

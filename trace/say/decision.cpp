@@ -1,5 +1,6 @@
 #include "say/decision.h"
 
+#include "check/decision_of.h"
 #include "choice/kernel_choice.h"
 #include "format/decision_words.h"
 #include "replay/replay.h"
@@ -54,14 +55,9 @@ struct Recorded {
 };
 
 std::optional<Recorded> recorded_in(const std::optional<Event>& event) {
-    if (!event) return std::nullopt;
-    return event->visit([](const auto& e) -> std::optional<Recorded> {
-        if constexpr (requires { e.decides; }) {
-            return Recorded{e.decides, e.decision(), e.checked.exact, e.checked.by, e.checked.operands};
-        } else {
-            return std::nullopt;
-        }
-    });
+    const auto own = event ? decision_of(*event) : std::nullopt;
+    if (!own) return std::nullopt;
+    return Recorded{own->of, own->answer, own->checked.exact, own->checked.by, own->checked.operands};
 }
 
 /// A step may decide more than one thing, or something without an event of its own. The wrong decision is the one to
@@ -80,8 +76,8 @@ std::string answer_of(const Recorded& recorded, const Answer& answer, const Word
 
 Judged judged(const Recorded& recorded, const AnyHeader& header) {
     if (!recorded.exact) {
-        const auto kernel = kernel_named(std::visit([](const auto& of) { return of.kernel; }, header));
-        return kernel && kernel->is_always_right() ? Judged::certain : Judged::not_checked;
+        const std::string& kernel = std::visit([](const auto& of) -> const std::string& { return of.kernel; }, header);
+        return is_always_right(kernel) ? Judged::certain : Judged::not_checked;
     }
     if (!recorded.exact->answer) return Judged::undefined;
     return *recorded.exact->answer == recorded.taken ? Judged::right : Judged::wrong;

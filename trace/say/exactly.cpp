@@ -493,9 +493,8 @@ private:
 
 namespace {
 
-bool can_err(Edition edition, const std::string& kernel_name) {
-    const auto kernel = kernel_named(kernel_name);
-    return edition != Edition::corrected || !kernel || !kernel->is_always_right();
+bool can_err(Edition edition, const std::string& kernel) {
+    return edition != Edition::corrected || !is_always_right(kernel);
 }
 
 std::optional<Exact> found_by(const PolygonWords& words, auto&& ask) {
