@@ -152,9 +152,6 @@ std::string kind() {
     if constexpr (requires { E::result_of; }) {
         text += "    resultOf: " + in_quotes(procedure_names[std::size_t(E::result_of)]) + ",\n";
     }
-    if constexpr (requires { E::decides; }) {
-        text += "    decides: " + in_quotes(decision_names[std::size_t(E::decides)]) + ",\n";
-    }
     return text + "  },\n";
 }
 

@@ -137,7 +137,7 @@ describe('the reasons at a pixel', () => {
     expect(await drawn(page)).toEqual(nothing);
   });
 
-  it('stand beside the step at which a wrong run goes wrong', async () => {
+  it('have the step at which the run goes wrong above them', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'one-list.jsonl', sampleTrace('one-list.warnock.signs'));
     // There the edge of A from (3/4, 0) to (0, 2) is at x = 9/16, 1/16 from the centre (1/2, 1/2).

@@ -9,8 +9,8 @@ import type { Failure } from '../run/failures.js';
 import type { Entry } from './entries.js';
 
 /**
- * A note on the open failure: its effect, its place, why its picture has no proof, and the remedy. Events carry requests: `go` to the step, `compare` to
- * switch the comparison with the correct run, `forget` to close the note.
+ * A note on the open failure: its effect, its place, why its picture has no proof, and the remedy. Events carry requests:
+ * `go` to the step, `compare` to switch the comparison with the correct run, `forget` to close the note.
  */
 @customElement('vidno-failure-note')
 export class FailureNoteElement extends LitElement {

@@ -16,13 +16,16 @@ import { standingsOf } from './reason.js';
 import type { AtPixel, Reason, Standings } from './reason.js';
 import { whyStyle } from './why.style.js';
 
-/** So few polygons are all listed at once; of more, those that hold the centre. */
+/** Up to this number all polygons are listed at once; of more, those that hold the centre. */
 const few = 12;
 const page = 40;
 /** A longer fraction is rounded until the reader chooses its sentence. */
 const longest = 16;
 
-/** Why each polygon shows at the chosen pixel or not, exactly. An event `explain` names the polygon that the reader looks at. */
+/**
+ * Why each polygon shows at the chosen pixel or not, exactly. An event `explain` names the polygon that the reader looks
+ * at.
+ */
 @customElement('vidno-why')
 export class WhyElement extends LitElement {
   static override styles = [base, whyStyle];

@@ -101,13 +101,6 @@ export function orderOf(a: N, b: N): Order | null {
   return difference == 0 ? 0 : null;
 }
 
-/**
- * Whether an answer to "is z nearer than the other depth?" agrees with the depths as written. It need not: some kernels
- * compare more than they write, and a trace may be wrong.
- */
-export const agrees = (nearer: boolean, z: N, other: N): boolean =>
-  nearer === (orderOf(z, other) === 1);
-
 /** The difference of two numbers, also of infinities. */
 const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
 

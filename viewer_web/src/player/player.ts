@@ -697,7 +697,7 @@ export class PlayerElement extends StageElement {
   /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
-  /** The procedures and lines that the lesson explains; and only those, if it is a first lesson, after which nothing else was. */
+  /** The procedures and lines that the lesson explains; in a first lesson nothing else was explained before. */
   @property({ attribute: false }) listed: readonly string[] = [];
   @property({ attribute: false }) isFirstLesson = false;
   /** Whether the reader sees this page for the first time, at the end of a run: its result comes first, in common words. */

@@ -22,7 +22,10 @@ import type { Target } from '../picture/target.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
 
-/** Mere calculations, which would be the first question of each run, are asked only in a lesson about them, or if the reader chooses them. */
+/**
+ * Mere calculations, which would be the first question of each run, are asked only in a lesson about them, or if the reader
+ * chooses them.
+ */
 const calculations: readonly Kind[] = ['plane', 'depth'];
 const usual: readonly Kind[] = kinds.filter((kind) => !calculations.includes(kind));
 

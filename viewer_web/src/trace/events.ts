@@ -1,5 +1,5 @@
 import { callsFrom, eventsOf, kinds as table } from './event-table.js';
-import type { Decision, Events } from './event-table.js';
+import type { Events } from './event-table.js';
 
 /** The events of `vidno-trace/1`. Their types are derived from the program's table in trace/format/event.h. */
 
@@ -22,18 +22,11 @@ export interface AnyKind {
   readonly numbers: readonly string[];
   /** The call that it ends. */
   readonly resultOf?: Procedure;
-  readonly decides?: Decision;
 }
 
-type Kinds = typeof table;
 export type EventName = keyof Events;
 /** Any event, or the events with a name. */
 export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
-
-/** The events with a decision. */
-export type Deciding = {
-  [K in EventName]: Kinds[K] extends { readonly decides: Decision } ? K : never;
-}[EventName];
 
 export type Method = keyof typeof eventsOf;
 export const methods = Object.keys(eventsOf) as readonly Method[];
@@ -53,8 +46,7 @@ export type WeilerAthertonEvents = EventsOf<'weiler-atherton'>;
 /** The events that only the variants of `warnock` have. */
 export type FamilyEvents = Omit<WarnockEvents, EventOf<'warnock'>>;
 
-export const kinds: Readonly<Record<EventName, AnyKind>> &
-  Readonly<Record<Deciding, { readonly decides: Decision }>> = table;
+export const kinds: Readonly<Record<EventName, AnyKind>> = table;
 
 /** Whether runs of a method have such events. */
 export const tells = (method: Method, name: EventName): boolean =>

@@ -452,7 +452,7 @@ function depthsBeside(
   const [x, y, width, height] = window;
   const at = [y, y + height].flatMap((top) => [x, x + width].map((left) => [left, top]));
   const found = stepsOf(trace, step, until, 'depth').map(({ event }) => event);
-  const inRun = (id: string): readonly N[] =>
+  const depthsInRun = (id: string): readonly N[] =>
     at.flatMap((corner) => {
       const own = found.find(
         ({ polygon, point }) => polygon === id && String(point) === String(corner),
@@ -465,8 +465,9 @@ function depthsBeside(
     const plane = planeOf(polygon);
     return at.map(([left = 0, top = 0]) => Number(plane(left, top).toPrecision(digits)));
   };
-  const hasAll = ids.every((id) => inRun(id).length === at.length);
-  const depths = new Map(ids.map((id) => [id, hasAll ? inRun(id) : inScene(id)]));
+  const inRun = new Map(ids.map((id) => [id, depthsInRun(id)]));
+  const hasAll = [...inRun.values()].every((each) => each.length === at.length);
+  const depths = hasAll ? inRun : new Map(ids.map((id) => [id, inScene(id)]));
   const isShort = at.map((_, i) => {
     const all = new Set([...depths.values()].map((each) => each[i] ?? NaN));
     return new Set([...all].map((z) => short(z))).size === all.size;
